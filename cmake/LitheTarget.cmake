@@ -21,6 +21,11 @@ function(lithe_compile_options target)
     target_compile_options(${target} PRIVATE -fsanitize=${LITHE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${LITHE_SANITIZE})
   endif()
+  if(LITHE_BUILD_FUZZERS)
+    # Coverage feedback for libFuzzer; the fuzz targets themselves add libFuzzer's main.
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    target_link_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
+  endif()
 endfunction()
 
 # format and runtime: C++17, no exceptions, no RTTI, no thread-safe statics.
