@@ -162,8 +162,10 @@ inline constexpr uint32_t kChecksumAt = 8;    // u64: XXH64, seed 0
 inline constexpr uint32_t kNodeCountAt = 16;  // u32: nodes, wedges and faces after this page
 inline constexpr uint32_t kWedgeCountAt = 20;
 inline constexpr uint32_t kFaceCountAt = 24;
-inline constexpr uint32_t kReservedAt = 28;   // u32
-inline constexpr uint32_t kBytes = 32;
+inline constexpr uint32_t kValuesAt = 28;     // u32: integers in all of the page's streams: the reader's scratch memory
+inline constexpr uint32_t kMaxFanAt = 32;     // u32: corners at the largest node that the page splits
+inline constexpr uint32_t kReservedAt = 36;   // u32
+inline constexpr uint32_t kBytes = 40;
 }  // namespace page
 
 /// NAME: zero-terminated UTF-8 strings; record_bytes 1, the last byte is zero.

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// Differences of octahedral directions that a reader can undo given only the parent direction and t8.
+#pragma once
+
+#include <optional>
+
+#include "lithe/format/octahedral.h"
+
+namespace lithe::bake {
+
+/// The difference D (b to a, possibly over a fold) with which a reader gets b and a from their parent:
+///     x = parent - eighths(D, t8), b = fold(x), a = fold(x + D).
+/// The shortest one; nothing when there is none.
+std::optional<format::Int2> octahedralDifference(format::Int2 parent, format::Int2 b, format::Int2 a, int32_t t8,
+                                                 int32_t center);
+
+/// A parent at t8 eighths from b to a for which octahedralDifference exists, whichever child comes first: over the fold
+/// when that is the short way, else straight across the square.
+format::Int2 octahedralBetween(format::Int2 b, format::Int2 a, int32_t t8, int32_t center);
+
+}  // namespace lithe::bake

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "lithe/bake/encode.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base_encoder.h"
+#include "file_writer.h"
+#include "lithe/format/octahedral.h"
+#include "split_encoder.h"
+
+namespace lithe::bake {
+namespace {
+
+/// The report's name for each stream's bytes.
+const char* kindOf(format::PageKind page, uint32_t stream) {
+  if (page == format::kBasePage) return "base";
+  switch (stream) {
+    case format::kSplits: return "splits";
+    case format::kNormals: return "normals";
+    case format::kTangents: return "tangents";
+    case format::kColors: return "colours";
+    case format::kSkinD:
+    case format::kSkinE:
+    case format::kSkinNew: return "skin";
+    case format::kWedgeClasses:
+    case format::kWedgePicks:
+    case format::kExtras: return "wedges";
+    default: return stream >= format::kUv0 ? "uvs" : "connectivity";
+  }
+}
+
+class FileEncoder {
+ public:
+  explicit FileEncoder(const EncodeInput& input) : in_(input), cut_(input.hierarchy) {
+    const AttributeSet& attributes = input.mesh.attributes;
+    settings_.placement_shift = input.placement_shift;
+    settings_.weight_one = input.mesh.weight_one;
+    settings_.normal_center = format::octahedralCenter(input.mesh.normal_bits);
+    settings_.has = {attributes.normal, attributes.tangent, attributes.uv_sets, attributes.color_sets};
+  }
+
+  std::vector<uint8_t> run(EncodeReport* report) {
+    PageData base = encodeBase(cut_, settings_.has);
+    base.hidden = hiddenFaces(cut_);
+    finishPage(0, base);
+    finishLevel(0, static_cast<uint32_t>(base.hidden.size()));
+    for (uint32_t level = 1; level < in_.levels.size(); ++level) encodeLevel(level);
+    uint64_t head_bytes = 0;
+    std::vector<uint8_t> file = writeFile(in_, levels_, pages_, &head_bytes);
+    if (report) fillReport(*report, head_bytes, file.size());
+    return file;
+  }
+
+ private:
+  bool isSplitBy(uint32_t node, uint32_t level) const {
+    const uint32_t hierarchy_node = cut_.node_hierarchy[node];
+    return hierarchy_node >= in_.hierarchy.vertex_count + in_.levels[level].collapses;
+  }
+
+  // Nodes are visited in the order of their ids, children after all that were there before: one flag each. A page ends
+  // with a split, the last page of a level when every node has been visited.
+  void encodeLevel(uint32_t level) {
+    const uint32_t old_nodes = static_cast<uint32_t>(cut_.node_hierarchy.size());
+    uint32_t left = in_.levels[level - 1].collapses - in_.levels[level].collapses;
+    uint32_t pages_left = std::max(1u, (left + in_.page_splits / 2) / in_.page_splits);
+    SplitEncoder encoder(cut_, settings_);
+    uint32_t page_splits = left / pages_left;
+    for (uint32_t node = 0; node < cut_.node_hierarchy.size(); ++node) {
+      if (cut_.node_split[node]) continue;
+      const bool split = isSplitBy(node, level);
+      encoder.flag(node < old_nodes, split);
+      if (!split) continue;
+      encoder.split(node);
+      --left;
+      --page_splits;
+      if (left > 0 && (page_splits == 0 || encoder.work() > format::kMaxPageWork / 2)) {
+        finishPage(level, encoder.finish());
+        pages_left = std::max(1u, pages_left - 1);
+        page_splits = left / pages_left;
+      }
+    }
+    PageData page = encoder.finish();
+    page.hidden = hiddenFaces(cut_);
+    finishPage(level, page);
+    finishLevel(level, static_cast<uint32_t>(page.hidden.size()));
+  }
+
+  void finishPage(uint32_t level, const PageData& page) {
+    PageEntry entry;
+    entry.level = level;
+    entry.node_count = static_cast<uint32_t>(cut_.node_hierarchy.size());
+    entry.wedge_count = static_cast<uint32_t>(cut_.wedge_node.size());
+    entry.face_count = static_cast<uint32_t>(cut_.face_wedges.size());
+    entry.values = static_cast<uint32_t>(page.valueCount());
+    entry.max_fan = page.max_fan;
+    PageBytes bytes;
+    entry.bytes = writePage(page, &bytes);
+    for (size_t s = 0; s < bytes.streams.size(); ++s)
+      kinds_[kindOf(page.kind, static_cast<uint32_t>(s))] += bytes.streams[s];
+    kinds_["low bits"] += bytes.low_bits;
+    kinds_["page tables"] += bytes.overhead;
+    pages_.push_back(std::move(entry));
+  }
+
+  void finishLevel(uint32_t level, uint32_t hidden_count) {
+    LevelEntry entry;
+    entry.page_end = static_cast<uint32_t>(pages_.size());
+    entry.node_count = pages_.back().node_count;
+    entry.wedge_count = pages_.back().wedge_count;
+    entry.face_count = pages_.back().face_count;
+    entry.hidden_count = hidden_count;
+    entry.error = in_.levels[level].error;
+    entry.error_rms = in_.levels[level].error_rms;
+    entry.joint_count = countJoints();
+    levels_.push_back(entry);
+  }
+
+  uint32_t countJoints() const {
+    std::vector<char> used(in_.model.joints.size(), 0);
+    for (uint32_t n = 0; n < cut_.node_hierarchy.size(); ++n) {
+      if (cut_.node_split[n]) continue;
+      const QuantizedSkin& skin = in_.hierarchy.skin[cut_.node_hierarchy[n]];
+      for (uint32_t i = 0; i < skin.count; ++i) used[skin.joint[i]] = 1;
+    }
+    return static_cast<uint32_t>(std::count(used.begin(), used.end(), 1));
+  }
+
+  void fillReport(EncodeReport& report, uint64_t head_bytes, uint64_t file_bytes) const {
+    report.head_bytes = head_bytes;
+    report.file_bytes = file_bytes;
+    uint64_t end = head_bytes;
+    uint32_t page = 0;
+    for (const LevelEntry& level : levels_) {
+      for (; page < level.page_end; ++page) end += pages_[page].bytes.size();
+      report.levels.push_back({level.face_count - level.hidden_count, level.wedge_count, end});
+    }
+    report.kinds.push_back({"head", head_bytes});
+    for (const auto& [name, bytes] : kinds_) report.kinds.push_back({name, bytes});
+  }
+
+  const EncodeInput& in_;
+  Cut cut_;
+  SplitSettings settings_;
+  std::vector<PageEntry> pages_;
+  std::vector<LevelEntry> levels_;
+  std::map<std::string, uint64_t> kinds_;
+};
+
+}  // namespace
+
+std::vector<uint8_t> encodeFile(const EncodeInput& input, EncodeReport* report) { return FileEncoder(input).run(report); }
+
+}  // namespace lithe::bake

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "page_streams.h"
+
+#include "draco_cloud.h"
+
+namespace lithe::bake {
+namespace {
+
+void putVarint(std::vector<uint8_t>& out, uint64_t value) {
+  for (; value >= 0x80; value >>= 7) out.push_back(static_cast<uint8_t>(value | 0x80));
+  out.push_back(static_cast<uint8_t>(value));
+}
+
+std::vector<uint8_t> encodeStream(const StreamData& stream) {
+  CloudColumns cloud;
+  cloud.records = stream.records();
+  for (const StreamData::Attribute& attribute : stream.attributes)
+    cloud.columns.push_back({attribute.spec.components, attribute.spec.is_unsigned, attribute.values});
+  return encodeCloud(cloud);
+}
+
+}  // namespace
+
+uint64_t PageData::valueCount() const {
+  uint64_t count = 0;
+  for (const StreamData& stream : streams)
+    for (const StreamData::Attribute& attribute : stream.attributes) count += attribute.values.size();
+  return count;
+}
+
+PageData makePage(format::PageKind kind, format::WedgeAttributes has) {
+  PageData page;
+  page.kind = kind;
+  const bool base = kind == format::kBasePage;
+  page.streams.resize(base ? uint32_t{format::kBaseStreamCount} : uint32_t{format::kSplitStreamCount});
+  for (uint32_t s = 0; s < page.streams.size(); ++s) {
+    format::StreamAttribute specs[format::kMaxStreamAttributes];
+    const uint32_t count =
+        base ? format::baseStreamAttributes(s, has, specs) : format::splitStreamAttributes(s, has, specs);
+    for (uint32_t i = 0; i < count; ++i) page.streams[s].attributes.push_back({specs[i], {}});
+  }
+  return page;
+}
+
+std::vector<uint8_t> writePage(const PageData& page, PageBytes* bytes) {
+  std::vector<uint8_t> table, payload;
+  bytes->streams.assign(page.streams.size(), 0);
+  for (std::size_t s = 0; s < page.streams.size(); ++s) {
+    const uint32_t records = page.streams[s].records();
+    putVarint(table, records);
+    if (records == 0) continue;
+    const std::vector<uint8_t> cloud = encodeStream(page.streams[s]);
+    putVarint(table, cloud.size());
+    payload.insert(payload.end(), cloud.begin(), cloud.end());
+    bytes->streams[s] = static_cast<uint32_t>(cloud.size());
+  }
+  putVarint(table, page.low_bits.size());
+  payload.insert(payload.end(), page.low_bits.begin(), page.low_bits.end());
+  bytes->low_bits = static_cast<uint32_t>(page.low_bits.size());
+
+  std::vector<uint8_t> out;
+  out.push_back(page.kind);
+  out.insert(out.end(), page.parameters.begin(), page.parameters.end());
+  out.insert(out.end(), table.begin(), table.end());
+  out.insert(out.end(), payload.begin(), payload.end());
+  uint32_t previous = 0;
+  for (uint32_t face : page.hidden) {
+    putVarint(out, face - previous);
+    previous = face;
+  }
+  bytes->overhead = static_cast<uint32_t>(out.size() - payload.size());
+  return out;
+}
+
+}  // namespace lithe::bake

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// The symbols of a page before entropy coding: one list of integers per stream attribute.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lithe/format/page.h"
+
+namespace lithe::bake {
+
+/// One stream: `attributes[i].values` holds records * components integers.
+struct StreamData {
+  struct Attribute {
+    format::StreamAttribute spec{};
+    std::vector<int32_t> values;
+  };
+  std::vector<Attribute> attributes;
+
+  uint32_t records() const {
+    return attributes.empty() ? 0 : static_cast<uint32_t>(attributes[0].values.size() / attributes[0].spec.components);
+  }
+  void put(int32_t value) { attributes[0].values.push_back(value); }
+};
+
+/// Packs integers of a few bits each, least significant bit first.
+class BitWriter {
+ public:
+  void write(uint32_t value, int32_t bits) {
+    for (int32_t i = 0; i < bits; ++i, ++count_) {
+      if (count_ % 8 == 0) bytes_.push_back(0);
+      bytes_.back() |= static_cast<uint8_t>(((value >> i) & 1) << (count_ % 8));
+    }
+  }
+  const std::vector<uint8_t>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<uint8_t> bytes_;
+  uint64_t count_ = 0;
+};
+
+/// A page ready to be entropy coded.
+struct PageData {
+  format::PageKind kind = format::kBasePage;
+  std::array<uint8_t, format::kParameterBytes> parameters{};
+  std::vector<StreamData> streams;
+  std::vector<uint8_t> low_bits;
+  std::vector<uint32_t> hidden;  ///< ascending face ids, of the level that ends with this page
+  uint32_t max_fan = 0;          ///< corners at the largest node that is split
+
+  uint64_t valueCount() const;   ///< integers in all streams
+};
+
+PageData makePage(format::PageKind kind, format::WedgeAttributes has);
+
+/// Bytes per stream of a written page, for the report; the last two entries are the low bits and everything else.
+struct PageBytes {
+  std::vector<uint32_t> streams;
+  uint32_t low_bits = 0;
+  uint32_t overhead = 0;
+};
+
+/// Entropy codes a page with Draco. Throws Error when a symbol is beyond what a stream can hold.
+std::vector<uint8_t> writePage(const PageData& page, PageBytes* bytes);
+
+}  // namespace lithe::bake

@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "split_encoder.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "lithe/bake/octahedral_difference.h"
+#include "lithe/format/placement.h"
+#include "skin_code.h"
+
+namespace lithe::bake {
+namespace {
+
+/// Which child owns each edge of a ring, and the new faces at its cut vertices, as a mode states them.
+struct RingSplit {
+  std::vector<char> edge_at_b;
+  struct At {
+    uint32_t vertex;
+    bool first_is_a;
+  };
+  std::vector<At> faces;
+};
+
+RingSplit closedSplit(uint32_t edges, uint32_t p, uint32_t q) {
+  RingSplit split;
+  split.edge_at_b.resize(edges);
+  for (uint32_t i = 0; i < edges; ++i) split.edge_at_b[i] = p == 0 ? i >= q : i >= p && i < q;
+  split.faces = {{p, p != 0}, {q, p == 0}};
+  return split;
+}
+
+RingSplit openSplit(uint32_t edges, uint32_t cut) {
+  RingSplit split;
+  split.edge_at_b.resize(edges);
+  for (uint32_t i = 0; i < edges; ++i) split.edge_at_b[i] = i >= cut;
+  split.faces = {{cut, true}};
+  return split;
+}
+
+RingSplit openSplitTwice(uint32_t edges, uint32_t p, uint32_t q) {
+  RingSplit split;
+  split.edge_at_b.resize(edges);
+  for (uint32_t i = 0; i < edges; ++i) split.edge_at_b[i] = i >= p && i < q;
+  split.faces = {{p, true}, {q, false}};
+  return split;
+}
+
+uint32_t ringVertexCount(const format::Ring& ring) {
+  return ring.kind == format::RingKind::kClosed ? ring.count : ring.count + 1;
+}
+
+}  // namespace
+
+SplitEncoder::SplitEncoder(Cut& cut, const SplitSettings& settings)
+    : cut_(cut), settings_(settings), page_(makePage(format::kSplitPage, settings.has)) {}
+
+PageData SplitEncoder::finish() {
+  residuals_.finish(page_);
+  PageData page = makePage(format::kSplitPage, settings_.has);
+  std::swap(page, page_);
+  residuals_ = {};
+  work_ = 0;
+  return page;
+}
+
+void SplitEncoder::split(uint32_t node) {
+  const uint32_t hierarchy_node = cut_.node_hierarchy[node];
+  const format::Fan fan = cut_.fanOf(node);
+  work_ += fan.count;
+  page_.max_fan = std::max(page_.max_fan, fan.count);
+  format::Ring ring;
+  format::buildRing(fan, ring);
+  const Plan plan = planSplit(hierarchy_node, fan, ring);
+
+  writeConnectivity(plan, fan, ring);
+  writePosition(hierarchy_node, plan, fan);
+  writeWedges(node, plan);
+  addFaces(node, plan, fan, ring);
+  encodeSkins(cut_.h.skin[hierarchy_node], cut_.h.skin[plan.a], cut_.h.skin[plan.b], plan.t8, settings_.weight_one,
+              page_);
+  cut_.node_split[node] = 1;
+}
+
+SplitEncoder::Plan SplitEncoder::planSplit(uint32_t hierarchy_node, const format::Fan& fan,
+                                           const format::Ring& ring) const {
+  Plan plans[2] = {assignChildren(hierarchy_node, 0, fan), assignChildren(hierarchy_node, 1, fan)};
+  for (Plan& plan : plans)
+    if (tryRing(plan, fan, ring, format::kModeRing) || tryRing(plan, fan, ring, format::kModeOpenTwo)) return plan;
+  // Child B's corners are listed: B is the child with fewer, which bounds the lists over the whole hierarchy.
+  const auto corners_at_b = std::count(plans[0].at_b.begin(), plans[0].at_b.end(), 1);
+  Plan& plan = plans[2 * corners_at_b <= static_cast<int64_t>(fan.count) ? 0 : 1];
+  plan.mode = ring.kind == format::RingKind::kIrregular ? format::kModeRing : format::kModeGeneral;
+  return plan;
+}
+
+SplitEncoder::Plan SplitEncoder::assignChildren(uint32_t hierarchy_node, uint32_t which_is_a,
+                                                const format::Fan& fan) const {
+  Plan plan;
+  plan.a = cut_.h.children[hierarchy_node][which_is_a];
+  plan.b = cut_.h.children[hierarchy_node][1 - which_is_a];
+  plan.t8 = which_is_a ? cut_.h.t8[hierarchy_node] : 8 - cut_.h.t8[hierarchy_node];
+  plan.mode = format::kModeGeneral;
+  plan.faces = birthsOf(hierarchy_node, plan.a);
+  plan.at_b.resize(fan.count);
+  for (uint32_t i = 0; i < fan.count; ++i) plan.at_b[i] = cut_.h.contains(plan.b, cut_.leafVertex(fan.corner[i]));
+  return plan;
+}
+
+std::vector<SplitEncoder::NewFace> SplitEncoder::birthsOf(uint32_t hierarchy_node, uint32_t a) const {
+  const Hierarchy& h = cut_.h;
+  std::vector<NewFace> faces;
+  for (uint32_t i = h.born_begin[hierarchy_node]; i < h.born_begin[hierarchy_node + 1]; ++i) {
+    const uint32_t triangle = h.born[i];
+    uint32_t third = 0;
+    while (h.contains(hierarchy_node, h.wedge_node[h.face_wedges[triangle][third]])) ++third;
+    NewFace face;
+    face.triangle = triangle;
+    face.rotation = (third + 2) % 3;
+    face.third = cut_.nodeAbove(h.wedge_node[h.face_wedges[triangle][third]]);
+    face.first_is_a = h.contains(a, h.wedge_node[h.face_wedges[triangle][face.rotation]]);
+    face.ring_at = kNone;
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+bool SplitEncoder::tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, int32_t mode) const {
+  const bool closed = ring.kind == format::RingKind::kClosed;
+  if (ring.kind == format::RingKind::kIrregular || (closed && mode != format::kModeRing)) return false;
+  const size_t births = closed || mode == format::kModeOpenTwo ? 2 : 1;
+  if (plan.faces.size() != births) return false;
+  std::vector<NewFace> faces = plan.faces;
+  for (NewFace& face : faces) {
+    const uint32_t* end = ring.vertex + ringVertexCount(ring);
+    const uint32_t* at = std::find(static_cast<const uint32_t*>(ring.vertex), end, face.third);
+    if (at == end) return false;
+    face.ring_at = static_cast<uint32_t>(at - ring.vertex);
+  }
+  std::sort(faces.begin(), faces.end(), [](const NewFace& x, const NewFace& y) { return x.ring_at < y.ring_at; });
+  if (births == 2 && faces[0].ring_at == faces[1].ring_at) return false;
+  const RingSplit split = closed        ? closedSplit(ring.count, faces[0].ring_at, faces[1].ring_at)
+                          : births == 2 ? openSplitTwice(ring.count, faces[0].ring_at, faces[1].ring_at)
+                                        : openSplit(ring.count, faces[0].ring_at);
+  for (size_t i = 0; i < births; ++i)
+    if (split.faces[i].first_is_a != faces[i].first_is_a) return false;
+  for (uint32_t i = 0; i < fan.count; ++i)
+    if (split.edge_at_b[i] != plan.at_b[ring.edge[i]]) return false;
+  plan.faces = std::move(faces);
+  plan.mode = mode;
+  return true;
+}
+
+void SplitEncoder::writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
+  auto& splits = page_.streams[format::kSplits].attributes;
+  splits[0].values.push_back(plan.t8);
+  splits[2].values.push_back(plan.mode);
+  const bool listed = ring.kind == format::RingKind::kIrregular || plan.mode == format::kModeGeneral;
+  if (!listed) {
+    const uint32_t first = plan.faces[0].ring_at;
+    const uint32_t value = plan.faces.size() == 2 ? format::pairIndex(first, plan.faces[1].ring_at) : first;
+    const bool closed = ring.kind == format::RingKind::kClosed;
+    page_.streams[closed ? format::cutStream(ring.count) : static_cast<uint32_t>(format::kCutOpen)].put(
+        static_cast<int32_t>(value));
+    return;
+  }
+  StreamData& out = page_.streams[format::kGeneral];
+  out.put(static_cast<int32_t>(std::count(plan.at_b.begin(), plan.at_b.end(), 1)));
+  uint32_t next = 0;
+  for (uint32_t i = 0; i < fan.count; ++i)
+    if (plan.at_b[i]) {
+      out.put(static_cast<int32_t>(i - next));
+      next = i + 1;
+    }
+  std::vector<uint32_t> neighbours(fan.next, fan.next + fan.count);
+  neighbours.insert(neighbours.end(), fan.previous, fan.previous + fan.count);
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  out.put(static_cast<int32_t>(plan.faces.size()));
+  for (const NewFace& face : plan.faces) {
+    out.put(face.first_is_a ? 0 : 1);
+    const auto at = std::lower_bound(neighbours.begin(), neighbours.end(), face.third);
+    if (at != neighbours.end() && *at == face.third) {
+      out.put(static_cast<int32_t>(at - neighbours.begin()) + 1);
+    } else {
+      out.put(0);
+      out.put(static_cast<int32_t>(face.third >> 16));
+      out.put(static_cast<int32_t>(face.third & 0xffff));
+    }
+  }
+}
+
+void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) {
+  const Hierarchy& h = cut_.h;
+  PositionResidual residual{};
+  glm::ivec3 least = h.position[hierarchy_node], greatest = least;
+  for (uint32_t i = 0; i < fan.count; ++i) {
+    auto& sum = plan.at_b[i] ? residual.sum_b : residual.sum_a;
+    (plan.at_b[i] ? residual.count_b : residual.count_a) += 2;
+    for (uint32_t neighbour : {fan.next[i], fan.previous[i]}) {
+      const glm::ivec3 p = h.position[cut_.node_hierarchy[neighbour]];
+      for (int c = 0; c < 3; ++c) sum[c] += p[c];
+      least = glm::min(least, p);
+      greatest = glm::max(greatest, p);
+    }
+  }
+  const glm::ivec3 spread = greatest - least, b = h.position[plan.b], d = h.position[plan.a] - b;
+  residual.extent = static_cast<uint32_t>(std::max({spread.x, spread.y, spread.z}));
+  residual.difference = {d.x, d.y, d.z};
+  residuals_.addPosition(residual);
+
+  const format::Int3 difference{d.x, d.y, d.z};
+  const format::Int3 centre = format::pointBetween({b.x, b.y, b.z}, difference, plan.t8);
+  const int32_t step = format::latticeStep(difference, settings_.placement_shift);
+  const glm::ivec3 k = (h.position[hierarchy_node] - glm::ivec3(centre.x, centre.y, centre.z)) / step;
+  for (int c = 0; c < 3; ++c) page_.streams[format::kSplits].attributes[1].values.push_back(k[c]);
+}
+
+std::vector<uint32_t> SplitEncoder::membersOf(uint32_t hierarchy_wedge, uint32_t child) const {
+  std::vector<uint32_t> members;
+  for (uint32_t w = cut_.h.first_wedge[child]; w < cut_.h.first_wedge[child + 1]; ++w)
+    if (cut_.h.wedge_parent[w] == hierarchy_wedge) members.push_back(w);
+  return members;
+}
+
+// The children's wedges are numbered class by class, child A's before child B's.
+void SplitEncoder::writeWedges(uint32_t node, const Plan& plan) {
+  std::vector<std::vector<uint32_t>> of_a, of_b;
+  std::vector<uint32_t> wedges_a, wedges_b;
+  const uint32_t first = cut_.node_first_wedge[node], end = cut_.node_first_wedge[node + 1];
+  for (uint32_t w = first; w < end; ++w) {
+    of_a.push_back(membersOf(cut_.wedge_hierarchy[w], plan.a));
+    of_b.push_back(membersOf(cut_.wedge_hierarchy[w], plan.b));
+    wedges_a.insert(wedges_a.end(), of_a.back().begin(), of_a.back().end());
+    wedges_b.insert(wedges_b.end(), of_b.back().begin(), of_b.back().end());
+    int32_t code = 0;
+    while (code < format::kClassListed &&
+           (format::kClassA[code] != of_a.back().size() || format::kClassB[code] != of_b.back().size()))
+      ++code;
+    page_.streams[format::kWedgeClasses].put(code);
+    if (code == format::kClassListed)
+      for (size_t count : {of_a.back().size(), of_b.back().size()})
+        page_.streams[format::kWedgePicks].put(static_cast<int32_t>(count));
+  }
+  for (uint32_t w = first; w < end; ++w) writeAttributes(cut_.wedge_hierarchy[w], of_a[w - first], of_b[w - first], plan);
+  cut_.addNode(plan.a, wedges_a);
+  cut_.addNode(plan.b, wedges_b);
+}
+
+void SplitEncoder::writeDirection(Residuals::Kind kind, uint32_t at, uint32_t parent, uint32_t a, uint32_t b,
+                                  int32_t t8) {
+  auto point = [&](uint32_t wedge) { return format::Int2{attributes(wedge)[at], attributes(wedge)[at + 1]}; };
+  const auto d = octahedralDifference(point(parent), point(b), point(a), t8, settings_.normal_center);
+  if (!d) throw Error("a direction cannot be recovered from its parent: this is a fault of lithe, please report it");
+  residuals_.add(kind, 0, d->x, d->y, 0);
+}
+
+void SplitEncoder::writeAttributes(uint32_t parent, const std::vector<uint32_t>& of_a,
+                                   const std::vector<uint32_t>& of_b, const Plan& plan) {
+  const WedgeRecord& record = cut_.h.record;
+  if (!of_a.empty() && !of_b.empty()) {
+    const uint32_t a = of_a[0], b = of_b[0];
+    if (record.normal != kNone) writeDirection(Residuals::Kind::kNormal, record.normal, parent, a, b, plan.t8);
+    if (record.tangent != kNone) {
+      writeDirection(Residuals::Kind::kTangent, record.tangent, parent, a, b, plan.t8);
+      const uint32_t sign = record.tangent + 2;
+      page_.streams[format::kTangents].attributes[1].values.push_back(
+          (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));
+    }
+    const glm::ivec3 d = glm::abs(cut_.h.position[plan.a] - cut_.h.position[plan.b]);
+    const uint32_t extent = static_cast<uint32_t>(std::max({d.x, d.y, d.z}));
+    for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) {
+      const uint32_t at = record.uv[s];
+      residuals_.add(Residuals::Kind::kUv, s, attributes(a)[at] - attributes(b)[at],
+                     attributes(a)[at + 1] - attributes(b)[at + 1], extent);
+    }
+    for (uint32_t s = 0; s < settings_.has.color_sets; ++s)
+      for (uint32_t c = 0; c < 4; ++c)
+        page_.streams[format::kColors].put(attributes(a)[record.color[s] + c] - attributes(b)[record.color[s] + c]);
+  }
+  for (const auto* side : {&of_a, &of_b})
+    for (size_t m = 1; m < side->size(); ++m)
+      for (uint32_t i = 0; i < record.stride; ++i)
+        page_.streams[format::kExtras].put(attributes((*side)[m])[i] - attributes((*side)[0])[i]);
+}
+
+void SplitEncoder::pickMember(uint32_t hierarchy_wedge, uint32_t child, uint32_t leaf_wedge) {
+  const std::vector<uint32_t> members = membersOf(hierarchy_wedge, child);
+  if (members.size() < 2) return;
+  uint32_t wedge = leaf_wedge;
+  while (cut_.h.wedge_node[wedge] != child) wedge = cut_.h.wedge_parent[wedge];
+  const auto at = std::find(members.begin(), members.end(), wedge);
+  pick(static_cast<uint32_t>(at - members.begin()), static_cast<uint32_t>(members.size()));
+}
+
+// The fan's corners go to the children's wedges.
+void SplitEncoder::moveFan(const Plan& plan, const format::Fan& fan) {
+  for (uint32_t i = 0; i < fan.count; ++i) {
+    const uint32_t corner = fan.corner[i], child = plan.at_b[i] ? plan.b : plan.a;
+    const uint32_t parent_wedge = cut_.wedge_hierarchy[cut_.face_wedges[corner / 3][corner % 3]];
+    pickMember(parent_wedge, child, cut_.leafWedge(corner));
+    cut_.moveCorner(corner, cut_.wedgeAt(cut_.file_node[child], cut_.leafWedge(corner)));
+  }
+}
+
+// The new faces, each with its wedges: the class at the split node (guessed from the face beside the cut), the members
+// of the class, and the wedge at the third node (guessed likewise).
+void SplitEncoder::addFaces(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
+  const Hierarchy& h = cut_.h;
+  const uint32_t first_wedge = cut_.node_first_wedge[node];
+  const uint32_t wedge_count = cut_.node_first_wedge[node + 1] - first_wedge;
+  std::vector<uint32_t> fan_class(fan.count);
+  for (uint32_t i = 0; i < fan.count; ++i)
+    fan_class[i] = cut_.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3] - first_wedge;
+  cut_.clearCorners(node);
+  const std::vector<uint32_t> corners(fan.corner, fan.corner + fan.count);
+  moveFan(plan, fan);
+
+  for (const NewFace& face : plan.faces) {
+    uint32_t guessed_class = kNone, guessed_third = kNone;
+    if (face.ring_at != kNone) {
+      const bool past_end = face.ring_at == ring.count;  // the open end of an open ring: the face before the cut
+      const uint32_t beside = ring.edge[past_end ? ring.count - 1 : face.ring_at];
+      guessed_class = fan_class[beside];
+      guessed_third = cut_.face_wedges[corners[beside] / 3][(corners[beside] % 3 + (past_end ? 2 : 1)) % 3];
+    }
+    const auto& leaf = h.face_wedges[face.triangle];
+    const uint32_t leaf_first = leaf[face.rotation], leaf_third = leaf[(face.rotation + 1) % 3],
+                   leaf_last = leaf[(face.rotation + 2) % 3];
+    const uint32_t child_first = face.first_is_a ? plan.a : plan.b, child_last = face.first_is_a ? plan.b : plan.a;
+    const uint32_t wedge_first = cut_.wedgeAt(cut_.file_node[child_first], leaf_first);
+    const uint32_t wedge_last = cut_.wedgeAt(cut_.file_node[child_last], leaf_last);
+    const uint32_t parent_wedge = h.wedge_parent[cut_.wedge_hierarchy[wedge_first]];
+    const uint32_t face_class = cut_.file_wedge[parent_wedge] - first_wedge;
+    pick(face_class == guessed_class ? 0 : face_class + 1, wedge_count);
+    pickMember(parent_wedge, child_first, leaf_first);
+    pickMember(parent_wedge, child_last, leaf_last);
+    const uint32_t wedge_third = cut_.wedgeAt(face.third, leaf_third);
+    const uint32_t third_first = cut_.node_first_wedge[face.third];
+    pick(wedge_third == guessed_third ? 0 : wedge_third - third_first + 1,
+         cut_.node_first_wedge[face.third + 1] - third_first);
+    cut_.addFace(face.triangle, face.rotation, {wedge_first, wedge_third, wedge_last});
+  }
+}
+
+}  // namespace lithe::bake

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// Turns the splits of a level into the symbols of its pages.
+#pragma once
+
+#include "cut.h"
+#include "page_streams.h"
+#include "residuals.h"
+
+namespace lithe::bake {
+
+struct SplitSettings {
+  uint32_t placement_shift = 0;
+  uint32_t weight_one = 255;
+  int32_t normal_center = 511;
+  format::WedgeAttributes has{};
+};
+
+/// One page of splits being made. Splits are applied to the cut as they are written, as a reader would.
+class SplitEncoder {
+ public:
+  SplitEncoder(Cut& cut, const SplitSettings& settings);
+
+  void flag(bool old_node, bool split) { page_.streams[old_node ? format::kFlagsOld : format::kFlagsNew].put(split); }
+  void split(uint32_t node);
+  /// The page so far; the encoder goes on with an empty one.
+  PageData finish();
+  /// Corners visited by the page so far: a reader's limit on the work of one page.
+  uint64_t work() const { return work_; }
+
+ private:
+  struct NewFace {
+    uint32_t triangle;
+    uint32_t rotation;   ///< so that corner 0 is at the child before the cut vertex, 1 at the cut vertex, 2 at the child after
+    uint32_t third;      ///< file node of corner 1
+    bool first_is_a;     ///< corner 0 is at child A
+    uint32_t ring_at;    ///< position of the cut vertex in the ring, kNone in general mode
+  };
+  struct Plan {
+    uint32_t a, b;                     ///< hierarchy nodes of the children
+    int32_t t8;                        ///< from b (0) to a (8)
+    int32_t mode;
+    std::vector<char> at_b;            ///< per fan corner
+    std::vector<NewFace> faces;        ///< in the order of the file
+  };
+
+  Plan planSplit(uint32_t hierarchy_node, const format::Fan& fan, const format::Ring& ring) const;
+  Plan assignChildren(uint32_t hierarchy_node, uint32_t which_is_a, const format::Fan& fan) const;
+  std::vector<NewFace> birthsOf(uint32_t hierarchy_node, uint32_t a) const;
+  bool tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, int32_t mode) const;
+  void writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring);
+  void writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
+  void writeWedges(uint32_t node, const Plan& plan);
+  void writeAttributes(uint32_t parent, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
+                       const Plan& plan);
+  void writeDirection(Residuals::Kind kind, uint32_t at, uint32_t parent, uint32_t a, uint32_t b, int32_t t8);
+  void moveFan(const Plan& plan, const format::Fan& fan);
+  void addFaces(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
+  void pick(uint32_t index, uint32_t count) {
+    if (count > 1) page_.streams[format::kWedgePicks].put(static_cast<int32_t>(index));
+  }
+  const int32_t* attributes(uint32_t hierarchy_wedge) const {
+    return cut_.h.wedge_attributes.data() + size_t{hierarchy_wedge} * cut_.h.record.stride;
+  }
+  std::vector<uint32_t> membersOf(uint32_t hierarchy_wedge, uint32_t child) const;
+  void pickMember(uint32_t hierarchy_wedge, uint32_t child, uint32_t leaf_wedge);
+
+  Cut& cut_;
+  const SplitSettings& settings_;
+  PageData page_;
+  Residuals residuals_;
+  uint64_t work_ = 0;
+};
+
+}  // namespace lithe::bake

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "lithe/bake/octahedral_difference.h"
+
+#include <array>
+#include <cstdlib>
+
+#include "lithe/format/placement.h"
+
+namespace lithe::bake {
+namespace {
+
+using format::Int2;
+
+// A point and its images beyond the square's four edges: all of them fold back to it.
+std::array<Int2, 5> imagesOf(Int2 p, int32_t center) {
+  const int32_t size = 2 * center;
+  return {{p, {-p.x, size - p.y}, {2 * size - p.x, size - p.y}, {size - p.x, -p.y}, {size - p.x, 2 * size - p.y}}};
+}
+
+bool same(Int2 p, Int2 q) { return p.x == q.x && p.y == q.y; }
+int32_t length(Int2 d) { return std::abs(d.x) + std::abs(d.y); }
+
+bool decodes(Int2 parent, Int2 d, Int2 b, Int2 a, int32_t t8, int32_t center) {
+  const Int2 x{parent.x - format::eighths(d.x, t8), parent.y - format::eighths(d.y, t8)};
+  return same(format::octahedralFold(x, center), b) &&
+         same(format::octahedralFold({x.x + d.x, x.y + d.y}, center), a);
+}
+
+Int2 shortest(Int2 b, Int2 a, int32_t center) {
+  Int2 best{a.x - b.x, a.y - b.y};
+  for (Int2 image : imagesOf(a, center)) {
+    const Int2 d{image.x - b.x, image.y - b.y};
+    if (length(d) < length(best)) best = d;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Int2> octahedralDifference(Int2 parent, Int2 b, Int2 a, int32_t t8, int32_t center) {
+  std::optional<Int2> best;
+  for (Int2 from : imagesOf(b, center))
+    for (Int2 to : imagesOf(a, center)) {
+      const Int2 d{to.x - from.x, to.y - from.y};
+      if ((!best || length(d) < length(*best)) && decodes(parent, d, b, a, t8, center)) best = d;
+    }
+  return best;
+}
+
+Int2 octahedralBetween(Int2 b, Int2 a, int32_t t8, int32_t center) {
+  const Int2 d = shortest(b, a, center);
+  const Int2 folded =
+      format::octahedralFold({b.x + format::eighths(d.x, t8), b.y + format::eighths(d.y, t8)}, center);
+  if (octahedralDifference(folded, b, a, t8, center) && octahedralDifference(folded, a, b, 8 - t8, center))
+    return folded;
+  return {b.x + format::eighths(a.x - b.x, t8), b.y + format::eighths(a.y - b.y, t8)};
+}
+
+}  // namespace lithe::bake

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// A page's payload: what the writer and the reader must agree on to the bit. docs/format.md is the specification.
+///
+///     kind (1 byte) | parameters (kParameterBytes) | stream table (2 varints per stream) | streams | low bits | hidden
+///
+/// A *stream* is a Draco point cloud of `records` points with one or more integer attributes, or nothing (records 0).
+#pragma once
+
+#include <stdint.h>
+
+namespace lithe::format {
+
+// ---- Layout ----------------------------------------------------------------------------------------------------------
+
+enum PageKind : uint8_t { kBasePage = 0, kSplitPage = 1 };
+
+/// Streams of a base page, in order.
+enum BaseStream : uint32_t {
+  kBaseNodes,       ///< per node: position delta x y z | wedge count - 1 | influence count - 1
+  kBaseInfluences,  ///< per influence: joint | weight (the last weight of a node is written as 0 and derived)
+  kBaseWedges,      ///< per wedge: part, and attribute deltas (all 16-bit values of the wedge's record)
+  kBaseFaces,       ///< per face: three wedge deltas
+  kBaseStreamCount
+};
+
+/// Streams of a split page, in order.
+enum SplitStream : uint32_t {
+  kFlagsOld,     ///< per node of an earlier level: split (1) or not (0)
+  kFlagsNew,     ///< per node created by this level: split or not
+  kSplits,       ///< per split: t8 | lattice k x y z | mode | skin mode | D residual high parts x y z
+  kCut3,         ///< per split with a closed ring of 3 edges: the pair of cut vertices; likewise 4, 5, 6, 7, 8, 9 or more
+  kCut4,
+  kCut5,
+  kCut6,
+  kCut7,
+  kCut8,
+  kCut9,
+  kCutOpen,      ///< cut vertices of open rings
+  kGeneral,      ///< the corners of child B and the new faces of irregular splits
+  kWedgeClasses, ///< per wedge of a split node: how many wedges each child gets
+  kWedgePicks,   ///< which wedge, where there are several
+  kNormals,      ///< per united wedge: high parts x y
+  kTangents,     ///< per united wedge: high parts x y | sign flip
+  kColors,       ///< per united wedge and set: r g b a
+  kSkinD,        ///< differences of the children's weights
+  kSkinE,        ///< difference of child B's weights to the parent's, where the skin is free
+  kSkinNew,      ///< counts of joints the parent lacks, and their ids
+  kExtras,       ///< attributes of a class's further wedges
+  kUv0,          ///< per united wedge: high parts x y; one stream per uv set
+  kSplitStreamCount = kUv0 + 8
+};
+
+/// One attribute of a stream's records. Unsigned values are >= 0.
+struct StreamAttribute {
+  uint8_t components;
+  bool is_unsigned;
+};
+
+/// Which optional attributes an asset's wedges have.
+struct WedgeAttributes {
+  bool normals, tangents;
+  uint32_t uv_sets, color_sets;
+};
+
+inline constexpr uint32_t kMaxStreamAttributes = 1 + 2 + 8 + 2;
+
+/// The attributes of a stream's records; returns their number, 0 for a stream that this asset cannot have.
+constexpr uint32_t baseStreamAttributes(uint32_t stream, WedgeAttributes has, StreamAttribute* out) {
+  uint32_t n = 0;
+  if (stream == kBaseNodes) {
+    out[n++] = {3, false};
+    out[n++] = {1, true};
+    out[n++] = {1, true};
+  } else if (stream == kBaseInfluences) {
+    out[n++] = {1, true};
+    out[n++] = {1, true};
+  } else if (stream == kBaseWedges) {
+    out[n++] = {1, true};
+    if (has.normals) out[n++] = {2, false};
+    if (has.tangents) out[n++] = {3, false};
+    for (uint32_t s = 0; s < has.uv_sets; ++s) out[n++] = {2, false};
+    for (uint32_t s = 0; s < has.color_sets; ++s) out[n++] = {4, false};
+  } else if (stream == kBaseFaces) {
+    out[n++] = {3, false};
+  }
+  return n;
+}
+
+constexpr uint32_t splitStreamAttributes(uint32_t stream, WedgeAttributes has, StreamAttribute* out) {
+  uint32_t n = 0;
+  if (stream == kSplits) {
+    out[n++] = {1, true};   // t8
+    out[n++] = {3, false};  // lattice k
+    out[n++] = {1, true};   // mode
+    out[n++] = {1, true};   // skin mode
+    out[n++] = {3, false};  // D residual, high parts
+  } else if (stream == kNormals) {
+    if (has.normals) out[n++] = {2, false};
+  } else if (stream == kTangents) {
+    if (has.tangents) out[n++] = {2, false}, out[n++] = {1, true};
+  } else if (stream == kColors) {
+    if (has.color_sets) out[n++] = {4, false};
+  } else if (stream >= kUv0) {
+    if (stream - kUv0 < has.uv_sets) out[n++] = {2, false};
+  } else {
+    out[n++] = {1, stream != kSkinD && stream != kSkinE && stream != kExtras};
+  }
+  return n;
+}
+
+/// Page parameters, one byte each; bytes not named are zero.
+enum Parameter : uint32_t {
+  kLaplacian,      ///< prediction of D: sixteenths of the difference of the children's neighbourhoods [0, 32]
+  kPositionBias,   ///< low bits of a D residual = max(0, bit length of the ring's extent - bias) [0, 31]
+  kNormalShift,    ///< low bits of a normal difference [0, 15]
+  kTangentShift,
+  kUvBias0,        ///< low bits of a uv difference = max(0, bit length of |D| - bias) [0, 31]; one byte per uv set
+  kParameterBytes = kUvBias0 + 8
+};
+
+inline constexpr uint32_t kLowBitsMax = 15;
+inline constexpr uint32_t kMaxRing = 64;        ///< larger fans are split in mode kModeGeneral
+inline constexpr uint32_t kMaxPageWork = 1u << 26;  ///< corners visited while a page's splits are applied
+
+/// Upper bounds on a split page's records that its own tables do not give: kGeneral and kWedgePicks.
+constexpr uint64_t listedBound(uint64_t splits, uint64_t faces) { return 32 * (splits + faces); }
+inline constexpr uint32_t kMaxSkinJoints = 24;  ///< joints of a parent and its two children together
+
+/// How a split divides its ring (the mode value of kSplits).
+enum SplitMode : int32_t {
+  kModeRing = 0,    ///< closed ring: two cut vertices; open ring: one; a fan that is no ring: as kModeGeneral
+  kModeOpenTwo = 1, ///< open ring with two cut vertices
+  kModeGeneral = 2, ///< sides and faces listed one by one
+};
+
+enum SkinMode : int32_t {
+  kSkinSame = 0,   ///< both children have the parent's skin
+  kSkinRule = 1,   ///< the parent's weights follow from the children's by t8
+  kSkinFree = 2,   ///< both children are given against the parent
+};
+
+// ---- Arithmetic ------------------------------------------------------------------------------------------------------
+
+/// Number of bits of v >= 0: 0 for 0, 1 for 1, 2 for 2 and 3, ...
+constexpr int32_t bitLength(uint32_t v) {
+  int32_t bits = 0;
+  for (; v; v >>= 1) ++bits;
+  return bits;
+}
+
+constexpr int32_t lowBits(uint32_t extent, uint32_t bias) {
+  const int32_t bits = bitLength(extent) - static_cast<int32_t>(bias);
+  return bits < 0 ? 0 : bits > static_cast<int32_t>(kLowBitsMax) ? static_cast<int32_t>(kLowBitsMax) : bits;
+}
+
+/// Wedges of child A and child B that a parent wedge stands for, by class code; codes from kClassListed on are followed
+/// by the two counts in kWedgePicks.
+inline constexpr uint8_t kClassA[6] = {1, 1, 0, 2, 1, 2};
+inline constexpr uint8_t kClassB[6] = {1, 0, 1, 1, 2, 2};
+inline constexpr int32_t kClassListed = 6;
+
+/// Unordered pairs 0 <= p < q < n, numbered by q, then p.
+constexpr uint32_t pairIndex(uint32_t p, uint32_t q) { return q * (q - 1) / 2 + p; }
+constexpr void pairOf(uint32_t index, uint32_t* p, uint32_t* q) {
+  uint32_t high = 1;
+  while (high * (high + 1) / 2 <= index) ++high;
+  *q = high;
+  *p = index - high * (high - 1) / 2;
+}
+
+/// The stream of cut vertices for a closed ring of n edges.
+constexpr uint32_t cutStream(uint32_t n) { return n >= 9 ? static_cast<uint32_t>(kCut9) : kCut3 + (n < 3 ? 0 : n - 3); }
+
+// ---- Rings -----------------------------------------------------------------------------------------------------------
+
+/// The faces around a node w in the current cut: corner ids (3 * face + k) in ascending order, and for each the nodes of
+/// the next and the previous corner of its face. Seen from w, the face's edge runs from `next` to `previous`.
+struct Fan {
+  uint32_t count;
+  uint32_t* corner;
+  uint32_t* next;
+  uint32_t* previous;
+};
+
+enum class RingKind { kClosed, kOpen, kIrregular };
+
+/// A fan put in order: edge i runs from vertex i to vertex i + 1 (modulo count when closed; an open ring has count + 1
+/// vertices).
+struct Ring {
+  RingKind kind;
+  uint32_t count;                    ///< edges
+  uint8_t edge[kMaxRing];            ///< index into the fan
+  uint32_t vertex[kMaxRing + 1];
+};
+
+/// Orders a fan. A closed ring begins with the fan's first corner, an open one at its open end. Irregular: no corners,
+/// more than kMaxRing, a vertex left or entered twice, or more than one chain.
+inline void buildRing(const Fan& fan, Ring& ring) {
+  ring.kind = RingKind::kIrregular;
+  ring.count = fan.count;
+  const uint32_t n = fan.count;
+  if (n == 0 || n > kMaxRing) return;
+  uint8_t follower[kMaxRing], preceded[kMaxRing];
+  for (uint32_t i = 0; i < n; ++i) follower[i] = kMaxRing, preceded[i] = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    for (uint32_t j = 0; j < n; ++j) {
+      if (fan.previous[i] != fan.next[j]) {
+        if (i < j && (fan.next[i] == fan.next[j] || fan.previous[i] == fan.previous[j])) return;
+        continue;
+      }
+      if (follower[i] != kMaxRing || preceded[j]) return;
+      follower[i] = static_cast<uint8_t>(j);
+      preceded[j] = 1;
+    }
+  }
+  uint32_t start = 0, open_ends = 0;
+  for (uint32_t i = 0; i < n; ++i)
+    if (!preceded[i]) start = i, ++open_ends;
+  if (open_ends > 1) return;
+  uint32_t at = start, length = 0;
+  do {
+    ring.edge[length] = static_cast<uint8_t>(at);
+    ring.vertex[length] = fan.next[at];
+    ring.vertex[++length] = fan.previous[at];
+    at = follower[at];
+  } while (at != kMaxRing && at != start && length < n);
+  if (length != n) return;
+  ring.kind = open_ends ? RingKind::kOpen : RingKind::kClosed;
+}
+
+/// Sums over the neighbours of one child: each face at the child adds its two other corners.
+struct Neighbourhood {
+  int64_t x, y, z;
+  int64_t count;
+};
+
+/// floor(a / b) for b > 0.
+constexpr int64_t floorDivide(int64_t a, int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+/// Prediction of D = position(A) - position(B): laplacian / 16 of the difference of the means of the two neighbourhoods.
+/// One component; 0 when a child has no neighbour.
+constexpr int32_t predictDifference(int64_t sum_a, int64_t count_a, int64_t sum_b, int64_t count_b, int32_t laplacian) {
+  if (count_a == 0 || count_b == 0) return 0;
+  return static_cast<int32_t>(
+      floorDivide(laplacian * (sum_a * count_b - sum_b * count_a), 16 * count_a * count_b));
+}
+
+}  // namespace lithe::format
