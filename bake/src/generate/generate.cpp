@@ -16,6 +16,7 @@ struct Generator {
 
 constexpr std::array kGenerators = {
     Generator{"column", generateColumn},
+    Generator{"centipede", generateCentipede},
 };
 
 }  // namespace

@@ -37,13 +37,20 @@ void SurfaceBuilder::addTriangle(uint32_t part, std::array<uint32_t, 3> corners)
 void SurfaceBuilder::finish(Model& model) {
   for (uint32_t part = 0; part < parts_.size(); ++part) {
     const PartSurface& surface = parts_[part];
-    const uint32_t first = static_cast<uint32_t>(model.positions.size());
-    model.positions.insert(model.positions.end(), surface.positions.begin(), surface.positions.end());
-    model.normals.insert(model.normals.end(), surface.normals.begin(), surface.normals.end());
-    model.uvs[0].insert(model.uvs[0].end(), surface.uvs.begin(), surface.uvs.end());
-    model.skins.insert(model.skins.end(), surface.skins.begin(), surface.skins.end());
+    std::vector<uint32_t> place(surface.positions.size(), kNone);  // in the model; kNone while no triangle asks for it
+    for (const auto& corners : surface.triangles) {
+      for (uint32_t vertex : corners) place[vertex] = 0;
+    }
+    for (uint32_t vertex = 0; vertex < place.size(); ++vertex) {
+      if (place[vertex] == kNone) continue;
+      place[vertex] = static_cast<uint32_t>(model.positions.size());
+      model.positions.push_back(surface.positions[vertex]);
+      model.normals.push_back(surface.normals[vertex]);
+      model.uvs[0].push_back(surface.uvs[vertex]);
+      model.skins.push_back(surface.skins[vertex]);
+    }
     for (const auto& [a, b, c] : surface.triangles) {
-      model.triangles.push_back({first + a, first + b, first + c});
+      model.triangles.push_back({place[a], place[b], place[c]});
       model.triangle_part.push_back(part);
     }
   }

@@ -46,7 +46,8 @@ class SurfaceBuilder {
     }
   }
 
-  /// Moves everything into the model, whose parts must have been named, and states its attributes and rest diagonal.
+  /// Moves all vertices that a triangle uses into the model, whose parts must have been named, and states its
+  /// attributes and rest diagonal.
   void finish(Model& model);
 
  private:

@@ -20,8 +20,8 @@ std::vector<std::string> generatorNames();
 /// units,
 ///              y in [0, 8], 114,688 triangles, one part, 4 joints in a chain with at most 2 influences; clips
 ///              `examples` (4 keys, one pose each, 1 s apart) and `test` (60 keys of other poses, 1/30 s apart).
-/// `centipede`  about 200,000 triangles in many closed pieces, 5 units long, facing +z, over 100 joints, parts `shell`
-/// and
+/// `centipede`  about 200,000 triangles in many closed pieces, 5.5 units long, facing +z, nearly 200 joints, parts
+/// `shell` and
 ///              `flesh`; clips `walk` (loops) and `curl`.
 /// `figure`     a human of about 240,000 triangles, 1.75 units tall, soles at y = 0, facing +z, parts `skin`, `shorts`
 /// and

@@ -26,6 +26,25 @@ TEST_P(EveryCharacter, IsTheSameEachTime) {
   EXPECT_TRUE(checks::sameModel(generate(GetParam()), generate(GetParam())));
 }
 
+TEST_P(EveryCharacter, RestsInItsBindPose) {
+  const Model model = generate(GetParam());
+  EXPECT_LT(checks::restPoseError(model), 1e-6 * model.rest_diagonal);
+}
+
+TEST_P(EveryCharacter, HoldsTogetherInEveryClip) {
+  const Model model = generate(GetParam());
+  for (const Clip& clip : model.clips) {
+    for (int instant = 0; instant <= 6; ++instant) {
+      const double time = glm::mix(clip.begin, clip.end, instant / 6.0);
+      const checks::Box box = checks::posedBox(model, clip.name, time);
+      EXPECT_LT(checks::diagonal(box), 1.5 * model.rest_diagonal) << clip.name << " at " << time;
+      EXPECT_GT(checks::diagonal(box), 0.2 * model.rest_diagonal) << clip.name << " at " << time;
+      EXPECT_LT(checks::largestStretch(model, clip.name, time, 1e-3 * model.rest_diagonal), 8.0)
+          << clip.name << " at " << time;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Names, EveryCharacter, testing::ValuesIn(generatorNames()),
                          [](const auto& character) { return character.param; });
 

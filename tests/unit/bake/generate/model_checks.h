@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "lithe/bake/model.h"
+#include "lithe/bake/poses.h"
 
 namespace lithe::bake::checks {
 
@@ -153,6 +154,50 @@ inline const Clip* findClip(const Model& model, const std::string& name) {
   const auto found =
       std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == name; });
   return found == model.clips.end() ? nullptr : &*found;
+}
+
+struct Box {
+  glm::dvec3 low{1e30}, high{-1e30};
+};
+
+inline double diagonal(const Box& box) { return glm::length(box.high - box.low); }
+
+inline Box boxOf(const std::vector<glm::dvec3>& points) {
+  Box box;
+  for (const glm::dvec3& point : points) box = {glm::min(box.low, point), glm::max(box.high, point)};
+  return box;
+}
+
+inline Box restBox(const Model& model) { return boxOf(skinPositions(model, restPose(model))); }
+
+inline Box posedBox(const Model& model, const std::string& clip, double time) {
+  const auto index = static_cast<uint32_t>(findClip(model, clip) - model.clips.data());
+  return boxOf(skinPositions(model, clipPose(model, index, time)));
+}
+
+/// The longest a triangle's side gets in a pose, in units of its length at rest (sides shorter than `least` are not
+/// asked).
+inline double largestStretch(const Model& model, const std::string& clip, double time, double least) {
+  const auto index = static_cast<uint32_t>(findClip(model, clip) - model.clips.data());
+  const std::vector<glm::dvec3> posed = skinPositions(model, clipPose(model, index, time));
+  double largest = 0.0;
+  for (const auto& t : model.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const uint32_t a = t[k], b = t[(k + 1) % 3];
+      const double rest = glm::length(glm::dvec3(model.positions[a]) - glm::dvec3(model.positions[b]));
+      if (rest >= least) largest = std::max(largest, glm::length(posed[a] - posed[b]) / rest);
+    }
+  }
+  return largest;
+}
+
+/// The farthest that a vertex moves when every joint takes its rest transform: 0 if the bind pose is the rest pose.
+inline double restPoseError(const Model& model) {
+  const std::vector<glm::dvec3> posed = skinPositions(model, restPose(model));
+  double error = 0.0;
+  for (size_t i = 0; i < posed.size(); ++i)
+    error = std::max(error, glm::length(posed[i] - glm::dvec3(model.positions[i])));
+  return error;
 }
 
 /// The sentence of the first broken promise, or nothing. Promises are those of lithe/bake/generate.h and of model.h.
