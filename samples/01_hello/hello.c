@@ -1,0 +1,83 @@
+/* SPDX-FileCopyrightText: 2026 the lithe authors
+ * SPDX-License-Identifier: MIT
+ * A camera walks towards a .lithe character; each step pulls the pages that it needs and prints what would be drawn. */
+#define _POSIX_C_SOURCE 200112L
+#include <lithe/runtime.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void* takeMemory(void* user, size_t size, size_t alignment) {
+  void* memory = NULL;
+  (void)user;
+  return posix_memalign(&memory, alignment < sizeof memory ? sizeof memory : alignment, size) == 0 ? memory : NULL;
+}
+static void freeMemory(void* user, void* memory, size_t size) { (void)user, (void)size, free(memory); }
+static const lithe_allocator kAllocator = {NULL, takeMemory, freeMemory};
+
+static void* readBytes(FILE* file, uint64_t offset, size_t size) {
+  void* bytes = malloc(size);
+  if (bytes && (fseek(file, (long)offset, SEEK_SET) != 0 || fread(bytes, 1, size, file) != size))
+    free(bytes), bytes = NULL;
+  return bytes;
+}
+
+/* Opens the head of the file: a few KiB that say everything about the character but its surface. */
+static lithe_result openAsset(FILE* file, lithe_asset** asset) {
+  uint64_t size = LITHE_PEEK_BYTES;
+  void* bytes = readBytes(file, 0, LITHE_PEEK_BYTES);
+  lithe_result result = bytes ? lithe_peek(bytes, LITHE_PEEK_BYTES, &size) : LITHE_ERROR_TRUNCATED;
+  free(bytes);
+  if (result != LITHE_OK) return result;
+  bytes = readBytes(file, 0, (size_t)size);
+  result = bytes ? lithe_asset_open(&kAllocator, bytes, (size_t)size, NULL, asset) : LITHE_ERROR_TRUNCATED;
+  free(bytes);
+  return result;
+}
+
+/* Reads the pages that are missing for a level. */
+static lithe_result pullLevel(lithe_asset* asset, FILE* file, uint32_t level) {
+  lithe_request request;
+  lithe_result result = LITHE_OK;
+  while (result == LITHE_OK && (result = lithe_asset_next_request(asset, level, &request)) == LITHE_OK) {
+    void* page = readBytes(file, request.offset, request.size);
+    result = page ? lithe_asset_supply(asset, request.page, page, request.size, NULL) : LITHE_ERROR_TRUNCATED;
+    free(page);
+  }
+  return result == LITHE_COMPLETE ? LITHE_OK : result;
+}
+
+/* Chooses a level for a camera at this distance, pulls the level it would like, and draws the one it gets. */
+static lithe_result step(lithe_asset* asset, FILE* file, float distance) {
+  const lithe_view view = {{0, 0, 0}, 935.0f /* 1080 rows, 60 degrees */, 0, 0.1f, 1.0f /* pixel */, 0.1f};
+  lithe_instance instance = {{0, 0, distance}, 0, 1, 1, 0, LITHE_NO_LEVEL};
+  const lithe_asset* assets[] = {asset};
+  uint32_t wanted = 0;
+  lithe_level level;
+  lithe_result result = lithe_select(&view, assets, 1, &instance, 1, &wanted, NULL);
+  if (result == LITHE_OK) result = pullLevel(asset, file, wanted);
+  if (result == LITHE_OK) result = lithe_select(&view, assets, 1, &instance, 1, NULL, NULL);
+  if (result == LITHE_OK) result = lithe_asset_level(asset, instance.level, &level);
+  if (result == LITHE_OK)
+    printf("from %6.1f units: level %2u, %6u triangles, error %.5f, %llu bytes\n", distance, instance.level,
+           level.triangle_count, level.error, (unsigned long long)level.bytes_end);
+  return result;
+}
+
+int main(int argc, char** argv) {
+  FILE* file = argc == 2 ? fopen(argv[1], "rb") : NULL;
+  lithe_asset* asset = NULL;
+  lithe_asset_info info;
+  if (!file) return fprintf(stderr, "usage: %s CHARACTER.lithe\n", argv[0]), 2;
+  lithe_result result = openAsset(file, &asset);
+  if (result == LITHE_OK) {
+    lithe_asset_describe(asset, &info);
+    printf("%u triangles, %u joints, %u levels, %llu bytes\n", info.triangle_count, info.joint_count, info.level_count,
+           (unsigned long long)info.file_bytes);
+    for (float far = 256; far >= 0.25f && result == LITHE_OK; far /= 4)
+      result = step(asset, file, far * info.rest_diagonal);
+  }
+  if (result != LITHE_OK) fprintf(stderr, "%s: %s\n", argv[1], lithe_result_name(result));
+  lithe_asset_close(asset);
+  fclose(file);
+  return result == LITHE_OK ? 0 : 1;
+}
