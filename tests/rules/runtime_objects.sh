@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 # What an engine links: the runtime imports memory functions and at most four of libm's, keeps no state, throws nothing,
-# knows no types at run time, is freestanding, and stays small. Environment: CC, CXX.
+# knows no types at run time, is freestanding, stays small, and exports what its header declares: all of it, only that.
+# Environment: CC, CXX.
 source "$(dirname "${BASH_SOURCE[0]}")/rule.sh"
 
 memory_functions='memcpy|memmove|memset'
@@ -44,6 +45,18 @@ check_no_exceptions() {
     sed 's|$|  <- exceptions or run-time type information|' || true
 }
 
+# declared ROOT: the functions that runtime.h declares LITHE_API; exported OBJECT: those other libraries can see
+declared() {
+  grep -v '^ *#' "$1/runtime/include/lithe/runtime.h" | tr '\n' ' ' | grep -oE 'LITHE_API [^;(]*\(' | grep -oE '[a-z0-9_]+\($' | tr -d '(' | sort -u
+}
+exported() { readelf -sW "$1" | awk '$5 == "GLOBAL" && $6 == "DEFAULT" && $7 != "UND" && $8 != "" { print $8 }' | sort -u; }
+
+check_exports() {
+  [ -f "$1/runtime/include/lithe/runtime.h" ] || return 0
+  comm -23 <(declared "$1") <(exported "$2") | sed 's|$| is declared in runtime.h but not defined|'
+  comm -13 <(declared "$1") <(exported "$2") | sed 's|$| is exported but not declared in runtime.h|'
+}
+
 check_size() {
   local bytes
   strip --strip-unneeded -o "$scratch/stripped.o" "$1"
@@ -57,6 +70,7 @@ check() {
   check_imports "$scratch/runtime.o"
   check_no_state "$scratch/runtime.o"
   check_no_exceptions "$scratch/runtime.o"
+  check_exports "$1" "$scratch/runtime.o"
   check_size "$scratch/runtime.o"
   rm -f "$scratch/runtime.o"
 }
@@ -88,6 +102,19 @@ break_hosted() {
 break_size() {
   printf 'extern const unsigned char table[1 << 17] = {1};\n' | write "$1/runtime/src/x.cpp"
   expected="more than $most_bytes"
+}
+
+# a_header ROOT: one declaration, over two lines as the real ones may be
+a_header() { printf '#define LITHE_API __attribute__((visibility("default")))\nextern "C" {\nLITHE_API int\nlithe_x(void);\n}\n' | write "$1/runtime/include/lithe/runtime.h"; }
+break_undefined_function() {
+  a_header "$1"
+  printf '#include "lithe/runtime.h"\nint lithe_y() { return 1; }\n' | write "$1/runtime/src/x.cpp"
+  expected="lithe_x is declared in runtime.h but not defined"
+}
+break_undeclared_export() {
+  a_header "$1"
+  printf '#include "lithe/runtime.h"\nint lithe_x(void) { return 1; }\nextern "C" LITHE_API int lithe_z() { return 1; }\n' | write "$1/runtime/src/x.cpp"
+  expected="lithe_z is exported but not declared in runtime.h"
 }
 
 run_rule "$@"

@@ -3,8 +3,8 @@
 #include "asset_model.h"
 
 #include <algorithm>
-#include <cstring>
-#include <stdexcept>
+
+#include "float_vertices.h"
 
 namespace lithe::tool {
 namespace {
@@ -12,12 +12,7 @@ namespace {
 using bake::Model;
 using Triangle = std::array<uint32_t, 3>;
 
-void require(lithe_result result) {
-  if (result != LITHE_OK) throw std::logic_error(std::string("the runtime answered ") + lithe_result_name(result));
-}
-
-// ---- The skeleton, parts and materials
-// ---------------------------------------------------------------------------------
+// ---- The skeleton, parts and materials -----------------------------------------------------------------------------
 
 bake::Node nodeOf(const lithe_node& node) {
   bake::Node result;
@@ -64,75 +59,31 @@ Model modelWithoutSurface(const Asset& asset) {
   return model;
 }
 
-// ---- Vertices
-// ----------------------------------------------------------------------------------------------------------
+// ---- Vertices ------------------------------------------------------------------------------------------------------
 
-/// Everything as floats, one after the other: the layout in which nothing is lost on the way.
-struct FloatLayout {
-  lithe_vertex_layout layout{};
-  uint32_t influences = 0;
-
-  explicit FloatLayout(const lithe_asset_info& info) : influences(info.max_influences) {
-    layout.struct_size = sizeof layout;
-    layout.influences = influences;
-    layout.position = floats(3);
-    if (info.has_normals) layout.normal = floats(3);
-    if (info.has_tangents) layout.tangent = floats(4);
-    for (uint32_t set = 0; set < info.uv_sets; ++set) layout.uv[set] = floats(2);
-    for (uint32_t set = 0; set < info.color_sets; ++set) layout.color[set] = floats(4);
-    layout.weights = floats(influences);
-    layout.joints = {LITHE_FORMAT_U16, static_cast<uint16_t>(layout.stride)};
-    layout.stride += (2 * influences + 3) / 4 * 4;
-  }
-
- private:
-  lithe_attribute floats(uint32_t count) {
-    const lithe_attribute attribute{LITHE_FORMAT_F32, static_cast<uint16_t>(layout.stride)};
-    layout.stride += 4 * count;
-    return attribute;
-  }
-};
-
-template <typename Value>
-Value read(const uint8_t* vertex, lithe_attribute attribute) {
-  Value value;
-  std::memcpy(&value, vertex + attribute.offset, sizeof value);
-  return value;
-}
-
-bake::Skin skinOf(const uint8_t* vertex, const FloatLayout& format) {
+bake::Skin skinOf(const FloatVertices& vertices, uint32_t vertex) {
   bake::Skin skin;
-  for (uint32_t i = 0; i < format.influences; ++i) {
-    float weight;
-    uint16_t joint;
-    std::memcpy(&weight, vertex + format.layout.weights.offset + 4 * i, sizeof weight);
-    std::memcpy(&joint, vertex + format.layout.joints.offset + 2 * i, sizeof joint);
-    if (weight <= 0) continue;
-    skin.joint[skin.count] = joint;
-    skin.weight[skin.count++] = weight;
+  for (uint32_t i = 0; i < vertices.influences(); ++i) {
+    if (vertices.weight(vertex, i) <= 0) continue;
+    skin.joint[skin.count] = vertices.joint(vertex, i);
+    skin.weight[skin.count++] = vertices.weight(vertex, i);
   }
   return skin;
 }
 
-void appendVertex(Model& model, const uint8_t* vertex, const FloatLayout& format) {
-  const lithe_vertex_layout& layout = format.layout;
-  model.positions.push_back(read<glm::vec3>(vertex, layout.position));
-  if (model.attributes.normal) model.normals.push_back(read<glm::vec3>(vertex, layout.normal));
-  if (model.attributes.tangent) model.tangents.push_back(read<glm::vec4>(vertex, layout.tangent));
-  for (uint32_t set = 0; set < model.attributes.uv_sets; ++set) {
-    model.uvs[set].push_back(read<glm::vec2>(vertex, layout.uv[set]));
-  }
-  for (uint32_t set = 0; set < model.attributes.color_sets; ++set) {
-    model.colors[set].push_back(read<glm::vec4>(vertex, layout.color[set]));
-  }
-  model.skins.push_back(skinOf(vertex, format));
+void appendVertex(Model& model, const FloatVertices& vertices, uint32_t vertex) {
+  model.positions.push_back(vertices.position(vertex));
+  if (model.attributes.normal) model.normals.push_back(vertices.normal(vertex));
+  if (model.attributes.tangent) model.tangents.push_back(vertices.tangent(vertex));
+  for (uint32_t set = 0; set < model.attributes.uv_sets; ++set) model.uvs[set].push_back(vertices.uv(vertex, set));
+  for (uint32_t set = 0; set < model.attributes.color_sets; ++set)
+    model.colors[set].push_back(vertices.color(vertex, set));
+  model.skins.push_back(skinOf(vertices, vertex));
 }
 
 /// Takes over the vertices that triangles use, in ascending order, and numbers the triangles' corners accordingly.
 void fillVertices(Model& model, const Asset& asset, uint32_t vertex_count) {
-  const FloatLayout format(asset.info());
-  std::vector<uint8_t> vertices(static_cast<size_t>(vertex_count) * format.layout.stride);
-  require(lithe_asset_write_vertices(asset.get(), &format.layout, 0, vertex_count, vertices.data(), vertices.size()));
+  const FloatVertices vertices(asset, vertex_count);
   std::vector<uint32_t> number(vertex_count, bake::kNone);
   for (const Triangle& triangle : model.triangles) {
     for (const uint32_t corner : triangle) number[corner] = 0;
@@ -141,15 +92,14 @@ void fillVertices(Model& model, const Asset& asset, uint32_t vertex_count) {
   for (uint32_t vertex = 0; vertex < vertex_count; ++vertex) {
     if (number[vertex] == bake::kNone) continue;
     number[vertex] = used++;
-    appendVertex(model, vertices.data() + static_cast<size_t>(vertex) * format.layout.stride, format);
+    appendVertex(model, vertices, vertex);
   }
   for (Triangle& triangle : model.triangles) {
     for (uint32_t& corner : triangle) corner = number[corner];
   }
 }
 
-// ---- A cut between levels
-// ----------------------------------------------------------------------------------------------
+// ---- A cut between levels ------------------------------------------------------------------------------------------
 
 /// The cuts of a hierarchy by the number of its nodes that exist: nodes [0, limit) with limit - roots even, since
 /// children come in pairs and in the order of their splits.
@@ -253,15 +203,12 @@ void fillTriangles(Model& model, std::vector<Triangle> faces, const Cuts& cuts) 
 
 Model modelOfLevel(const Asset& asset, uint32_t level) {
   Model model = modelWithoutSurface(asset);
-  const lithe_level record = asset.level(level);
-  std::vector<lithe_range> ranges(asset.info().part_count);
-  model.triangles.resize(record.triangle_count);
-  require(lithe_asset_write_indices(asset.get(), level, LITHE_INDEX_U32, model.triangles.data(),
-                                    model.triangles.size() * sizeof(Triangle), ranges.data()));
-  for (uint32_t part = 0; part < ranges.size(); ++part) {
-    model.triangle_part.insert(model.triangle_part.end(), ranges[part].index_count / 3, part);
+  LevelIndices indices = levelIndices(asset, level);
+  model.triangles = std::move(indices.triangles);
+  for (uint32_t part = 0; part < indices.ranges.size(); ++part) {
+    model.triangle_part.insert(model.triangle_part.end(), indices.ranges[part].index_count / 3, part);
   }
-  fillVertices(model, asset, record.vertex_count);
+  fillVertices(model, asset, asset.level(level).vertex_count);
   return model;
 }
 

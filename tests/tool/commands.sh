@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 the lithe authors
+# SPDX-License-Identifier: MIT
+# What each command is for, on the column.
+source "$(dirname "${BASH_SOURCE[0]}")/tool.sh"
+
+near() { awk -v a="$1" -v b="$2" -v share="$3" 'BEGIN { exit !((a > b ? a - b : b - a) <= share * b) }'; }
+at_most() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a <= b) }'; }
+
+# info: the text and the JSON say the same.
+answers 0 "114,688 triangles" info "$characters/column.lithe"
+answers 0 '"levels"' info "$characters/column.lithe" --json
+cp out info.json
+levels=$(awk '/"levels"/ { inside = 1 } inside && /"triangles"/ { ++n } /"pages": \[/ { inside = 0 } END { print n }' info.json)
+[ "$levels" -ge 3 ] || complain "the column has only $levels levels"
+last=$((levels - 1))
+[ "$(json info.json "levels[$last].triangles")" = 114688 ] || complain "the finest level is not the original"
+[ "$(json info.json bytes)" = "$(stat -c %s "$characters/column.lithe")" ] || complain "info states another file size"
+[ "$(json info.json "levels[$last].bytes")" = "$(json info.json bytes)" ] || complain "the finest level does not need the whole file"
+
+# bake: its report says what info says.
+cp "$characters/bake.json" bake.json
+[ "$(json bake.json bytes)" = "$(json info.json bytes)" ] || complain "bake reports another file size than info"
+[ "$(json bake.json "levels[0].triangles")" = "$(json info.json "levels[0].triangles")" ] || complain "bake reports other levels than info"
+
+# verify, alone and against the original.
+answers 0 "all checks passed" verify "$characters/column.lithe"
+answers 0 '"levels"' verify "$characters/column.lithe" --json
+
+# export: any triangle count within a percent, any ratio, any level, all levels.
+for triangles in 3000 10000 77777; do
+  answers 0 "triangles" export "$characters/column.lithe" -o t.glb --triangles $triangles --json
+  near "$(json out "meshes[0].triangles")" $triangles 0.01 || complain "asked for $triangles triangles, got $(json out "meshes[0].triangles")"
+done
+answers 0 "triangles" export "$characters/column.lithe" -o r.glb --ratio 0.1 --json
+near "$(json out "meshes[0].triangles")" 11469 0.01 || complain "--ratio 0.1 gave $(json out "meshes[0].triangles")"
+answers 0 "triangles" export "$characters/column.lithe" -o l.gltf --level 0 --json
+[ "$(json out "meshes[0].triangles")" = "$(json info.json "levels[0].triangles")" ] || complain "--level 0 is not level 0"
+answers 0 "triangles" export "$characters/column.lithe" -o all.glb --all-levels --json
+[ "$(json out "meshes[0].triangles")" = 114688 ] || complain "--all-levels does not begin with the finest"
+holds_only . out err json.cmake info.json bake.json t.glb r.glb l.gltf l.bin all.glb
+
+# compare: nothing differs from itself; the small one is close; a bound that it misses is a failed check.
+answers 0 "rms" compare "$characters/small.glb" "$characters/small.glb" --frames 2 --samples 500 --json -
+at_most "$(json out mean.rms)" 1e-9 || complain "a character differs from itself by $(json out mean.rms)"
+answers 0 "rms" compare "$characters/column.glb" "$characters/small.glb" --anim test --frames 3 --samples 2000 --json -
+at_most "$(json out mean.rms)" 2e-4 || complain "2,000 triangles are $(json out mean.rms) away"
+at_most 1e-6 "$(json out mean.rms)" || complain "2,000 triangles cannot be as good as the original"
+answers 1 "above the allowed 1e-07" compare "$characters/column.glb" "$characters/small.glb" --anim test --frames 1 --samples 500 --quiet --fail-above-rms 1e-7
+
+# The same input and options give the same bytes, on any number of threads.
+answers 0 "" bake "$characters/small.glb" -o one.lithe --threads 1 --quiet
+answers 0 "" bake "$characters/small.glb" -o three.lithe --threads 3 --quiet
+cmp one.lithe three.lithe || complain "the bytes depend on the number of threads"
+if [ -s out ] || [ -s err ]; then complain "--quiet is not quiet"; fi
+finish
