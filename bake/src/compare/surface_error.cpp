@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "surface_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "surface_distance.h"
+
+namespace lithe::bake {
+
+namespace {
+
+constexpr double kTie = 1e-7;  // of the posed diagonal: points this much further away count as equally near
+
+glm::dvec3 faceNormal(const SearchableSurface& s, uint32_t triangle) {
+  const Triangle& t = s.surface.triangles[triangle];
+  const glm::dvec3 origin = s.posed.positions[t[0]];
+  return glm::cross(s.posed.positions[t[1]] - origin, s.posed.positions[t[2]] - origin);
+}
+
+template <typename Vector>
+Vector interpolated(const std::vector<Vector>& values, const Triangle& t, const glm::dvec3& barycentric) {
+  return values[t[0]] * barycentric.x + values[t[1]] * barycentric.y + values[t[2]] * barycentric.z;
+}
+
+/// atan2 of cross and dot: exact for small angles, where acos is not. Vectors without direction agree with everything.
+double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// What one sample adds to the figures.
+struct SampleError {
+  double distance = 0.0;
+  double angle = std::numeric_limits<double>::infinity();  ///< radians
+  double uv = std::numeric_limits<double>::infinity();
+  bool flipped = true;
+};
+
+/// The best agreement among the equally near points: which side of an edge or layer a sample met is no error of the
+/// surface.
+SampleError matchSample(const SearchableSurface& from, const SurfaceSample& sample, const SearchableSurface& to,
+                        const std::vector<NearestPoint>& matches, bool with_uv) {
+  const Triangle& source = from.surface.triangles[sample.triangle];
+  const glm::dvec3 normal = interpolated(from.posed.normals, source, sample.barycentric);
+  const glm::dvec3 face = faceNormal(from, sample.triangle);
+  SampleError error;
+  error.distance = std::sqrt(matches.front().distance2);
+  for (const NearestPoint& match : matches) {
+    const Triangle& target = to.surface.triangles[match.triangle];
+    error.angle =
+        std::min(error.angle, angleBetween(normal, interpolated(to.posed.normals, target, match.barycentric)));
+    error.flipped = error.flipped && glm::dot(face, faceNormal(to, match.triangle)) < 0.0;
+    if (!with_uv) continue;
+    const glm::dvec2 uv = interpolated(from.surface.uvs, source, sample.barycentric);
+    error.uv = std::min(error.uv, glm::distance(uv, interpolated(to.surface.uvs, target, match.barycentric)));
+  }
+  return error;
+}
+
+double rootMeanSquare(const std::vector<double>& values) {
+  double sum2 = 0.0;
+  for (const double value : values) sum2 += value * value;
+  return std::sqrt(sum2 / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+SurfaceError surfaceError(const SearchableSurface& from, const SearchableSurface& to, uint32_t samples, uint64_t seed,
+                          bool with_uv) {
+  const double slack = kTie * diagonalOf(to.posed.positions);
+  std::vector<double> distances, angles, uvs;
+  std::vector<NearestPoint> matches;
+  uint32_t flipped = 0;
+  uint32_t hint = kNone;
+  for (const SurfaceSample& sample : sampleSurface(from.posed.positions, from.surface.triangles, samples, seed)) {
+    const Triangle& triangle = from.surface.triangles[sample.triangle];
+    to.tree.nearestWithin(pointOf(from.posed.positions, triangle, sample.barycentric), slack, matches, hint);
+    hint = matches.front().triangle;
+    const SampleError error = matchSample(from, sample, to, matches, with_uv);
+    distances.push_back(error.distance);
+    angles.push_back(error.angle);
+    if (with_uv) uvs.push_back(error.uv);
+    flipped += error.flipped ? 1 : 0;
+  }
+  const SurfaceDistance distance = summarizeDistances(distances);
+  SurfaceError result{distance.rms, distance.mean, distance.max, distance.p999};
+  result.max = largestVertexDistance(from.posed.positions, from.surface.triangles, to.tree, distance.max);
+  result.normal_degrees = glm::degrees(rootMeanSquare(angles));
+  result.flipped = static_cast<double>(flipped) / samples;
+  if (with_uv) {
+    result.uv_rms = rootMeanSquare(uvs);
+    result.uv_median = percentile(uvs, 0.5);
+  }
+  return result;
+}
+
+SurfaceError largerOf(const SurfaceError& a, const SurfaceError& b) {
+  return {std::max(a.rms, b.rms),
+          std::max(a.mean, b.mean),
+          std::max(a.max, b.max),
+          std::max(a.p999, b.p999),
+          std::max(a.normal_degrees, b.normal_degrees),
+          std::max(a.flipped, b.flipped),
+          std::max(a.uv_rms, b.uv_rms),
+          std::max(a.uv_median, b.uv_median)};
+}
+
+void accumulate(SurfaceError& sum, const SurfaceError& error) {
+  sum.rms += error.rms;
+  sum.mean += error.mean;
+  sum.max += error.max;
+  sum.p999 += error.p999;
+  sum.normal_degrees += error.normal_degrees;
+  sum.flipped += error.flipped;
+  sum.uv_rms += error.uv_rms;
+  sum.uv_median += error.uv_median;
+}
+
+SurfaceError scaled(const SurfaceError& error, double length_factor, double other_factor) {
+  return {error.rms * length_factor,   error.mean * length_factor,          error.max * length_factor,
+          error.p999 * length_factor,  error.normal_degrees * other_factor, error.flipped * other_factor,
+          error.uv_rms * other_factor, error.uv_median * other_factor};
+}
+
+}  // namespace lithe::bake

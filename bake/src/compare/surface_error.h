@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// One direction of one frame: everything that a sample and its matched point say about two posed surfaces.
+#pragma once
+
+#include "posed_surface.h"
+
+namespace lithe::bake {
+
+/// A surface at an instant, ready to be searched.
+struct SearchableSurface {
+  SearchableSurface(const Surface& unposed, PosedSurface shape)
+      : surface(unposed), posed(std::move(shape)), tree(posed.positions, surface.triangles) {}
+
+  const Surface& surface;
+  PosedSurface posed;
+  TriangleTree tree;
+};
+
+/// Lengths in the units of the positions. @param with_uv  both surfaces have uvs and they are to be compared
+SurfaceError surfaceError(const SearchableSurface& from, const SearchableSurface& to, uint32_t samples, uint64_t seed,
+                          bool with_uv);
+
+/// Member by member the larger.
+SurfaceError largerOf(const SurfaceError& a, const SurfaceError& b);
+/// sum += error, member by member.
+void accumulate(SurfaceError& sum, const SurfaceError& error);
+/// Lengths times `length_factor`, everything else (degrees, shares, uvs) times `other_factor`.
+SurfaceError scaled(const SurfaceError& error, double length_factor, double other_factor);
+
+}  // namespace lithe::bake
