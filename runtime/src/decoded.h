@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-namespace lithe {
+namespace lithe::runtime {
 
 /// Up to eight influences of a node; weights sum to 2^weight_bits - 1, sorted by descending weight.
 struct NodeSkin {
@@ -18,8 +18,8 @@ struct NodeSkin {
 /// Attributes of a wedge, `stride` int16/uint16 values each, in this order: normal x y, tangent x y sign, uv0 x y, ...,
 /// colour0 r g b a, ... (only those the asset has). 16-bit integers as the file's quantisation gives them.
 struct WedgeLayout {
-  uint32_t stride;   ///< 16-bit values per wedge
-  uint32_t normal;   ///< position of each attribute in the record; kNoAttribute when absent
+  uint32_t stride;  ///< 16-bit values per wedge
+  uint32_t normal;  ///< position of each attribute in the record; kNoAttribute when absent
   uint32_t tangent;
   uint32_t uv[8];
   uint32_t color[2];
@@ -28,28 +28,29 @@ inline constexpr uint32_t kNoAttribute = 0xffffffffu;
 
 /// Capacities follow the level table: growing to a level allocates exactly that level's counts.
 struct Decoded {
-  uint32_t node_count, wedge_count, face_count;           ///< valid entries
+  uint32_t node_count, wedge_count, face_count;  ///< valid entries
   uint32_t node_capacity, wedge_capacity, face_capacity;
 
-  int32_t* node_position;       ///< 3 per node, grid coordinates
-  uint32_t* node_parent;        ///< kNoIndex for roots
-  uint32_t* node_first_child;   ///< children are this and this + 1; kNoIndex while unsplit
-  uint32_t* node_first_wedge;   ///< node_count + 1 entries: wedges [first(n), first(n + 1)) are node n's
+  int32_t* node_position;      ///< 3 per node, grid coordinates
+  uint32_t* node_parent;       ///< kNoIndex for roots
+  uint32_t* node_first_child;  ///< children are this and this + 1; kNoIndex while unsplit
+  uint32_t* node_first_wedge;  ///< node_count + 1 entries: wedges [first(n), first(n + 1)) are node n's
   NodeSkin* node_skin;
-  uint32_t* node_first_corner;  ///< head of the list of the corners (3 * face + k) at a node of the current cut; kNoIndex
+  uint32_t*
+      node_first_corner;  ///< head of the list of the corners (3 * face + k) at a node of the current cut; kNoIndex
 
   uint32_t* wedge_node;
-  uint32_t* wedge_parent;       ///< kNoIndex in the base
+  uint32_t* wedge_parent;  ///< kNoIndex in the base
   uint16_t* wedge_part;
-  uint16_t* wedge_attributes;   ///< WedgeLayout::stride per wedge
+  uint16_t* wedge_attributes;  ///< WedgeLayout::stride per wedge
 
-  uint32_t* face_wedges;        ///< 3 per face, of the finest resident cut
-  uint32_t* corner_next;        ///< 3 per face: next corner at the same node, kNoIndex at the end
+  uint32_t* face_wedges;  ///< 3 per face, of the finest resident cut
+  uint32_t* corner_next;  ///< 3 per face: next corner at the same node, kNoIndex at the end
 
   /// Faces not drawn: per resident level a run of ascending face ids.
   uint32_t* hidden_faces;
   uint32_t hidden_count, hidden_capacity;
-  uint32_t hidden_end[64];      ///< per level: end of its run (it starts at the end of the level before)
+  uint32_t hidden_end[64];  ///< per level: end of its run (it starts at the end of the level before)
 };
 
-}  // namespace lithe
+}  // namespace lithe::runtime

@@ -81,9 +81,8 @@ std::vector<uint32_t> hiddenFaces(const Cut& cut) {
     std::rotate(n.begin(), std::min_element(n.begin(), n.end()), n.end());
     keys[f].face = f;
   }
-  std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return a.nodes != b.nodes ? a.nodes < b.nodes : a.face < b.face;
-  });
+  std::sort(keys.begin(), keys.end(),
+            [](const Key& a, const Key& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.face < b.face; });
   std::vector<uint32_t> hidden;
   for (size_t i = 1; i < keys.size(); ++i)
     if (keys[i].nodes == keys[i - 1].nodes) hidden.push_back(keys[i].face);

@@ -28,7 +28,8 @@ struct Cut {
   /// The wedge of file node `node` that a leaf wedge below it belongs to.
   uint32_t wedgeAt(uint32_t node, uint32_t leaf_wedge) const;
 
-  /// The corners at a node, ascending, with the nodes of their faces' next and previous corners. Valid until the next call.
+  /// The corners at a node, ascending, with the nodes of their faces' next and previous corners. Valid until the next
+  /// call.
   const format::Fan& fanOf(uint32_t node);
 
   uint32_t leafWedge(uint32_t corner) const {
@@ -43,14 +44,14 @@ struct Cut {
   void clearCorners(uint32_t node) { node_corners[node].clear(); }
 
   const Hierarchy& h;
-  std::vector<uint32_t> node_hierarchy;                ///< per file node
-  std::vector<uint32_t> node_first_wedge;              ///< node count + 1
+  std::vector<uint32_t> node_hierarchy;    ///< per file node
+  std::vector<uint32_t> node_first_wedge;  ///< node count + 1
   std::vector<char> node_split;
-  std::vector<std::vector<uint32_t>> node_corners;     ///< unordered
-  std::vector<uint32_t> file_node;                     ///< per hierarchy node; kNone while it is not in the file
-  std::vector<uint32_t> wedge_node, wedge_hierarchy;   ///< per file wedge
-  std::vector<uint32_t> file_wedge;                    ///< per hierarchy wedge; kNone while it is not in the file
-  std::vector<std::array<uint32_t, 3>> face_wedges;    ///< file wedges
+  std::vector<std::vector<uint32_t>> node_corners;    ///< unordered
+  std::vector<uint32_t> file_node;                    ///< per hierarchy node; kNone while it is not in the file
+  std::vector<uint32_t> wedge_node, wedge_hierarchy;  ///< per file wedge
+  std::vector<uint32_t> file_wedge;                   ///< per hierarchy wedge; kNone while it is not in the file
+  std::vector<std::array<uint32_t, 3>> face_wedges;   ///< file wedges
   std::vector<uint32_t> face_triangle;
   std::vector<uint8_t> face_rotation;
 

@@ -17,17 +17,24 @@ namespace {
 const char* kindOf(format::PageKind page, uint32_t stream) {
   if (page == format::kBasePage) return "base";
   switch (stream) {
-    case format::kSplits: return "splits";
-    case format::kNormals: return "normals";
-    case format::kTangents: return "tangents";
-    case format::kColors: return "colours";
+    case format::kSplits:
+      return "splits";
+    case format::kNormals:
+      return "normals";
+    case format::kTangents:
+      return "tangents";
+    case format::kColors:
+      return "colours";
     case format::kSkinD:
     case format::kSkinE:
-    case format::kSkinNew: return "skin";
+    case format::kSkinNew:
+      return "skin";
     case format::kWedgeClasses:
     case format::kWedgePicks:
-    case format::kExtras: return "wedges";
-    default: return stream >= format::kUv0 ? "uvs" : "connectivity";
+    case format::kExtras:
+      return "wedges";
+    default:
+      return stream >= format::kUv0 ? "uvs" : "connectivity";
   }
 }
 
@@ -150,6 +157,8 @@ class FileEncoder {
 
 }  // namespace
 
-std::vector<uint8_t> encodeFile(const EncodeInput& input, EncodeReport* report) { return FileEncoder(input).run(report); }
+std::vector<uint8_t> encodeFile(const EncodeInput& input, EncodeReport* report) {
+  return FileEncoder(input).run(report);
+}
 
 }  // namespace lithe::bake

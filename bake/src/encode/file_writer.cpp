@@ -35,7 +35,9 @@ class NamePool {
   uint32_t add(const std::string& name) {
     const auto [at, added] = offsets_.try_emplace(name, static_cast<uint32_t>(chunk_.bytes.size()));
     // A zero byte would end the name early for a reader, so a name stops there.
-    if (added) chunk_.bytes.insert(chunk_.bytes.end(), name.c_str(), name.c_str() + std::char_traits<char>::length(name.c_str()) + 1);
+    if (added)
+      chunk_.bytes.insert(chunk_.bytes.end(), name.c_str(),
+                          name.c_str() + std::char_traits<char>::length(name.c_str()) + 1);
     return at->second;
   }
   const Chunk& chunk() const { return chunk_; }
@@ -89,7 +91,8 @@ Chunk nodeChunk(const Model& model, NamePool& pool) {
     storeU32(p + node::kNameAt, pool.add(n.name));
     storeU32(p + node::kParentAt, n.parent);
     storeVector(p + node::kTranslationAt, n.rest.translation);
-    storeVector(p + node::kRotationAt, glm::dvec4(n.rest.rotation.x, n.rest.rotation.y, n.rest.rotation.z, n.rest.rotation.w));
+    storeVector(p + node::kRotationAt,
+                glm::dvec4(n.rest.rotation.x, n.rest.rotation.y, n.rest.rotation.z, n.rest.rotation.w));
     storeVector(p + node::kScaleAt, n.rest.scale);
   }
   return c;
@@ -227,7 +230,10 @@ void checkLimits(const EncodeInput& in, const std::vector<LevelEntry>& levels, c
   check("hierarchy nodes", levels.back().node_count, limits::kNodes);
   check("vertices", levels.back().wedge_count, limits::kWedges);
   check("faces", levels.back().face_count, limits::kFaces);
-  for (const PageEntry& entry : pages) check("bytes in a page", entry.bytes.size(), limits::kPageBytes);
+  for (const PageEntry& entry : pages) {
+    check("bytes in a page", entry.bytes.size(), limits::kPageBytes);
+    check("faces at one vertex", entry.max_fan, limits::kFan);
+  }
 }
 
 }  // namespace
@@ -237,9 +243,9 @@ std::vector<uint8_t> writeFile(const EncodeInput& in, const std::vector<LevelEnt
   checkLimits(in, levels, pages);
   NamePool pool;
   pool.add("");
-  std::vector<Chunk> chunks = {infoChunk(in, levels),      nodeChunk(in.model, pool), jointChunk(in),
-                               materialChunk(in.model, pool), partChunk(in.model, pool), uvGridChunk(in.mesh),
-                               levelChunk(levels),         pageChunk(pages)};
+  std::vector<Chunk> chunks = {
+      infoChunk(in, levels),     nodeChunk(in.model, pool), jointChunk(in),     materialChunk(in.model, pool),
+      partChunk(in.model, pool), uvGridChunk(in.mesh),      levelChunk(levels), pageChunk(pages)};
   chunks.push_back(pool.chunk());
   uint64_t page_bytes = 0;
   for (const PageEntry& entry : pages) page_bytes += entry.bytes.size();

@@ -49,9 +49,9 @@ struct PageData {
   std::vector<StreamData> streams;
   std::vector<uint8_t> low_bits;
   std::vector<uint32_t> hidden;  ///< ascending face ids, of the level that ends with this page
-  uint32_t max_fan = 0;          ///< corners at the largest node that is split
+  uint32_t max_fan = 0;          ///< most corners or wedges at a node that is split
 
-  uint64_t valueCount() const;   ///< integers in all streams
+  uint64_t valueCount() const;  ///< integers in all streams
 };
 
 PageData makePage(format::PageKind kind, format::WedgeAttributes has);

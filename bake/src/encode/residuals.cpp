@@ -12,8 +12,7 @@ namespace {
 std::array<int32_t, 3> predicted(const PositionResidual& r, int32_t laplacian) {
   std::array<int32_t, 3> residual;
   for (int i = 0; i < 3; ++i)
-    residual[i] =
-        r.difference[i] - format::predictDifference(r.sum_a[i], r.count_a, r.sum_b[i], r.count_b, laplacian);
+    residual[i] = r.difference[i] - format::predictDifference(r.sum_a[i], r.count_a, r.sum_b[i], r.count_b, laplacian);
   return residual;
 }
 
@@ -31,7 +30,8 @@ struct Residuals::Series {
     return adaptive ? format::lowBits(extents[i], bias) : static_cast<int32_t>(bias);
   }
 
-  /// Bits for the values when `bias` is taken off the extent's bit length (adaptive) or is the number of low bits (fixed).
+  /// Bits for the values when `bias` is taken off the extent's bit length (adaptive) or is the number of low bits
+  /// (fixed).
   double cost(uint32_t bias, bool adaptive) const {
     if (values.empty()) return 0.0;
     const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
@@ -44,7 +44,8 @@ struct Residuals::Series {
       bits += low;
     }
     for (uint32_t count : histogram)
-      if (count) bits += kTableBits - count * std::log2(static_cast<double>(count) / static_cast<double>(values.size()));
+      if (count)
+        bits += kTableBits - count * std::log2(static_cast<double>(count) / static_cast<double>(values.size()));
     return bits;
   }
 
@@ -100,8 +101,7 @@ void Residuals::finish(PageData& page) const {
   parameters[format::kPositionBias] = seriesOf(Kind::kPosition, 0, parameters[format::kLaplacian]).best(true);
   parameters[format::kNormalShift] = seriesOf(Kind::kNormal, 0, 0).best(false);
   parameters[format::kTangentShift] = seriesOf(Kind::kTangent, 0, 0).best(false);
-  for (uint32_t set = 0; set < 8; ++set)
-    parameters[format::kUvBias0 + set] = seriesOf(Kind::kUv, set, 0).best(true);
+  for (uint32_t set = 0; set < 8; ++set) parameters[format::kUvBias0 + set] = seriesOf(Kind::kUv, set, 0).best(true);
 
   BitWriter low_bits;
   auto put = [&low_bits](std::vector<int32_t>& values, int32_t value, int32_t low) {

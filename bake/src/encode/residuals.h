@@ -16,7 +16,7 @@ struct PositionResidual {
   std::array<int32_t, 3> difference;
   std::array<int64_t, 3> sum_a, sum_b;  ///< of the neighbourhoods
   int64_t count_a, count_b;
-  uint32_t extent;                      ///< of the ring: what the low bits' number follows
+  uint32_t extent;  ///< of the ring: what the low bits' number follows
 };
 
 class Residuals {
@@ -34,7 +34,7 @@ class Residuals {
   struct Item {
     Kind kind;
     uint8_t set;
-    uint32_t index;   ///< into positions_, for kPosition
+    uint32_t index;  ///< into positions_, for kPosition
     int32_t x, y;
     uint32_t extent;
   };

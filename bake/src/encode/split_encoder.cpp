@@ -68,7 +68,7 @@ void SplitEncoder::split(uint32_t node) {
   const uint32_t hierarchy_node = cut_.node_hierarchy[node];
   const format::Fan fan = cut_.fanOf(node);
   work_ += fan.count;
-  page_.max_fan = std::max(page_.max_fan, fan.count);
+  page_.max_fan = std::max({page_.max_fan, fan.count, cut_.node_first_wedge[node + 1] - cut_.node_first_wedge[node]});
   format::Ring ring;
   format::buildRing(fan, ring);
   const Plan plan = planSplit(hierarchy_node, fan, ring);
@@ -242,7 +242,8 @@ void SplitEncoder::writeWedges(uint32_t node, const Plan& plan) {
       for (size_t count : {of_a.back().size(), of_b.back().size()})
         page_.streams[format::kWedgePicks].put(static_cast<int32_t>(count));
   }
-  for (uint32_t w = first; w < end; ++w) writeAttributes(cut_.wedge_hierarchy[w], of_a[w - first], of_b[w - first], plan);
+  for (uint32_t w = first; w < end; ++w)
+    writeAttributes(cut_.wedge_hierarchy[w], of_a[w - first], of_b[w - first], plan);
   cut_.addNode(plan.a, wedges_a);
   cut_.addNode(plan.b, wedges_b);
 }

@@ -31,17 +31,18 @@ class SplitEncoder {
  private:
   struct NewFace {
     uint32_t triangle;
-    uint32_t rotation;   ///< so that corner 0 is at the child before the cut vertex, 1 at the cut vertex, 2 at the child after
-    uint32_t third;      ///< file node of corner 1
-    bool first_is_a;     ///< corner 0 is at child A
-    uint32_t ring_at;    ///< position of the cut vertex in the ring, kNone in general mode
+    uint32_t rotation;  ///< so that corner 0 is at the child before the cut vertex, 1 at the cut vertex, 2 at the child
+                        ///< after
+    uint32_t third;     ///< file node of corner 1
+    bool first_is_a;    ///< corner 0 is at child A
+    uint32_t ring_at;   ///< position of the cut vertex in the ring, kNone in general mode
   };
   struct Plan {
-    uint32_t a, b;                     ///< hierarchy nodes of the children
-    int32_t t8;                        ///< from b (0) to a (8)
+    uint32_t a, b;  ///< hierarchy nodes of the children
+    int32_t t8;     ///< from b (0) to a (8)
     int32_t mode;
-    std::vector<char> at_b;            ///< per fan corner
-    std::vector<NewFace> faces;        ///< in the order of the file
+    std::vector<char> at_b;      ///< per fan corner
+    std::vector<NewFace> faces;  ///< in the order of the file
   };
 
   Plan planSplit(uint32_t hierarchy_node, const format::Fan& fan, const format::Ring& ring) const;

@@ -36,8 +36,7 @@ void gatherAttributes(const Mesh& mesh, uint32_t wedge, const WedgeRecord& recor
 namespace {
 
 void directionBetween(uint32_t at, int32_t center, const int32_t* from, const int32_t* to, int32_t t8, int32_t* out) {
-  const format::Int2 p =
-      octahedralBetween({from[at], from[at + 1]}, {to[at], to[at + 1]}, t8, center);
+  const format::Int2 p = octahedralBetween({from[at], from[at + 1]}, {to[at], to[at + 1]}, t8, center);
   out[at] = p.x;
   out[at + 1] = p.y;
 }
@@ -51,8 +50,9 @@ void attributesBetween(const WedgeRecord& record, int32_t normal_center, const i
   if (record.tangent != kNone) {
     directionBetween(record.tangent, normal_center, from, to, t8, out);
     // A handedness cannot be interpolated: the nearer child's, either child's order giving the same.
-    out[record.tangent + 2] = t8 < 4 ? from[record.tangent + 2] : t8 > 4 ? to[record.tangent + 2]
-                                     : from[record.tangent + 2] & to[record.tangent + 2];
+    out[record.tangent + 2] = t8 < 4   ? from[record.tangent + 2]
+                              : t8 > 4 ? to[record.tangent + 2]
+                                       : from[record.tangent + 2] & to[record.tangent + 2];
   }
 }
 

@@ -127,8 +127,8 @@ class Replay {
     const uint32_t from = member[0] != kNone ? member[0] : member[1];
     const uint32_t to = member[1] != kNone ? member[1] : member[0];
     int32_t* const base = h_.wedge_attributes.data();
-    attributesBetween(h_.record, normal_center_, base + size_t{from} * stride, base + size_t{to} * stride,
-                      h_.t8[node], base + size_t{wedge} * stride);
+    attributesBetween(h_.record, normal_center_, base + size_t{from} * stride, base + size_t{to} * stride, h_.t8[node],
+                      base + size_t{wedge} * stride);
     return wedge;
   }
 

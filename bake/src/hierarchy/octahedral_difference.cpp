@@ -23,8 +23,7 @@ int32_t length(Int2 d) { return std::abs(d.x) + std::abs(d.y); }
 
 bool decodes(Int2 parent, Int2 d, Int2 b, Int2 a, int32_t t8, int32_t center) {
   const Int2 x{parent.x - format::eighths(d.x, t8), parent.y - format::eighths(d.y, t8)};
-  return same(format::octahedralFold(x, center), b) &&
-         same(format::octahedralFold({x.x + d.x, x.y + d.y}, center), a);
+  return same(format::octahedralFold(x, center), b) && same(format::octahedralFold({x.x + d.x, x.y + d.y}, center), a);
 }
 
 Int2 shortest(Int2 b, Int2 a, int32_t center) {
@@ -50,8 +49,7 @@ std::optional<Int2> octahedralDifference(Int2 parent, Int2 b, Int2 a, int32_t t8
 
 Int2 octahedralBetween(Int2 b, Int2 a, int32_t t8, int32_t center) {
   const Int2 d = shortest(b, a, center);
-  const Int2 folded =
-      format::octahedralFold({b.x + format::eighths(d.x, t8), b.y + format::eighths(d.y, t8)}, center);
+  const Int2 folded = format::octahedralFold({b.x + format::eighths(d.x, t8), b.y + format::eighths(d.y, t8)}, center);
   if (octahedralDifference(folded, b, a, t8, center) && octahedralDifference(folded, a, b, 8 - t8, center))
     return folded;
   return {b.x + format::eighths(a.x - b.x, t8), b.y + format::eighths(a.y - b.y, t8)};

@@ -16,7 +16,7 @@ namespace lithe::bake {
 /// One level: the cut after the first `collapses` collapses of the sequence (0: the finest).
 struct LevelPlan {
   uint32_t collapses = 0;
-  double error = 0.0;      ///< largest posed distance to the original, bind-space units
+  double error = 0.0;  ///< largest posed distance to the original, bind-space units
   double error_rms = 0.0;
 };
 
@@ -24,10 +24,10 @@ struct EncodeInput {
   const Model& model;
   const Mesh& mesh;
   const Hierarchy& hierarchy;
-  std::vector<LevelPlan> levels;     ///< coarse to fine: `collapses` falls strictly, the last is 0
+  std::vector<LevelPlan> levels;  ///< coarse to fine: `collapses` falls strictly, the last is 0
   uint32_t placement_shift = 5;
   double posed_diagonal = 0.0;
-  uint32_t page_splits = 8192;       ///< splits per page, about
+  uint32_t page_splits = 8192;  ///< splits per page, about
 };
 
 struct EncodedLevel {

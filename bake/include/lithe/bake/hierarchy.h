@@ -34,21 +34,21 @@ struct Hierarchy {
   std::vector<uint8_t> t8;                        ///< from child 0 (0) to child 1 (8)
   std::vector<glm::ivec3> position;
   std::vector<QuantizedSkin> skin;
-  std::vector<std::array<uint32_t, 2>> leaves;    ///< [begin, end) in the depth-first order of the leaves
-  std::vector<uint32_t> first_wedge;              ///< node_count + 1 entries: a node's wedges are consecutive
+  std::vector<std::array<uint32_t, 2>> leaves;  ///< [begin, end) in the depth-first order of the leaves
+  std::vector<uint32_t> first_wedge;            ///< node_count + 1 entries: a node's wedges are consecutive
 
   // Per wedge. Children wedges of a node's wedge belong to the node's two children.
   WedgeRecord record;
   std::vector<uint32_t> wedge_node;
-  std::vector<uint32_t> wedge_parent;             ///< kNone at roots
+  std::vector<uint32_t> wedge_parent;  ///< kNone at roots
   std::vector<uint32_t> wedge_part;
-  std::vector<int32_t> wedge_attributes;          ///< record.stride per wedge
+  std::vector<int32_t> wedge_attributes;  ///< record.stride per wedge
 
   // Per face (the mesh's triangles).
   std::vector<std::array<uint32_t, 3>> face_wedges;  ///< leaf wedges of the corners
-  std::vector<uint32_t> birth_node;               ///< the node whose split brings the face; kNone: it is in every cut
-  std::vector<uint32_t> born_begin;               ///< node_count + 1: faces of a node in `born`
-  std::vector<uint32_t> born;                     ///< ascending per node
+  std::vector<uint32_t> birth_node;  ///< the node whose split brings the face; kNone: it is in every cut
+  std::vector<uint32_t> born_begin;  ///< node_count + 1: faces of a node in `born`
+  std::vector<uint32_t> born;        ///< ascending per node
 
   uint32_t nodeCount() const { return static_cast<uint32_t>(parent.size()); }
   bool isLeaf(uint32_t node) const { return children[node][0] == kNone; }
@@ -58,7 +58,8 @@ struct Hierarchy {
   }
 };
 
-/// Builds the forest. Throws Error when a collapse names a node that is gone or a position the placement rule cannot give.
+/// Builds the forest. Throws Error when a collapse names a node that is gone or a position the placement rule cannot
+/// give.
 Hierarchy buildHierarchy(const Mesh& mesh, const CollapseSequence& sequence, uint32_t placement_shift);
 
 }  // namespace lithe::bake

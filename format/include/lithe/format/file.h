@@ -26,10 +26,11 @@ inline constexpr uint32_t kMaterials = 4096;
 inline constexpr uint32_t kLevels = 64;
 inline constexpr uint32_t kPages = 65535;
 inline constexpr uint32_t kPageBytes = 64u << 20;
-inline constexpr uint32_t kNodes = 1u << 26;   ///< nodes of the hierarchy
+inline constexpr uint32_t kNodes = 1u << 26;  ///< nodes of the hierarchy
 inline constexpr uint32_t kWedges = 1u << 26;
 inline constexpr uint32_t kFaces = 1u << 26;
 inline constexpr uint32_t kBaseWedges = 1u << 17;  ///< of level 0
+inline constexpr uint32_t kFan = 1u << 18;         ///< corners or wedges at one node
 inline constexpr uint32_t kUvSets = 8;
 inline constexpr uint32_t kColorSets = 2;
 inline constexpr uint32_t kInfluences = 8;
@@ -39,14 +40,14 @@ inline constexpr uint32_t kNoIndex = 0xffffffffu;
 
 /// File header, at byte 0.
 namespace header {
-inline constexpr uint32_t kMagicAt = 0;         // 8 bytes
-inline constexpr uint32_t kVersionMajorAt = 8;  // u16
-inline constexpr uint32_t kVersionMinorAt = 10; // u16
-inline constexpr uint32_t kHeadBytesAt = 12;    // u32: everything before page 0
-inline constexpr uint32_t kFileBytesAt = 16;    // u64
-inline constexpr uint32_t kChecksumAt = 24;     // u64: XXH64, seed 0, of the head with these 8 bytes zero
-inline constexpr uint32_t kChunkCountAt = 32;   // u32
-inline constexpr uint32_t kReservedAt = 36;     // 28 bytes
+inline constexpr uint32_t kMagicAt = 0;          // 8 bytes
+inline constexpr uint32_t kVersionMajorAt = 8;   // u16
+inline constexpr uint32_t kVersionMinorAt = 10;  // u16
+inline constexpr uint32_t kHeadBytesAt = 12;     // u32: everything before page 0
+inline constexpr uint32_t kFileBytesAt = 16;     // u64
+inline constexpr uint32_t kChecksumAt = 24;      // u64: XXH64, seed 0, of the head with these 8 bytes zero
+inline constexpr uint32_t kChunkCountAt = 32;    // u32
+inline constexpr uint32_t kReservedAt = 36;      // 28 bytes
 inline constexpr uint32_t kBytes = 64;
 }  // namespace header
 
@@ -70,25 +71,25 @@ constexpr uint32_t chunkId(char a, char b, char c, char d) {
 /// INFO: one record, the asset.
 namespace info {
 inline constexpr uint32_t kId = chunkId('I', 'N', 'F', 'O');
-inline constexpr uint32_t kGridOriginAt = 0;      // f32 x 3
-inline constexpr uint32_t kGridStepAt = 12;       // f32, > 0: bind space = origin + step * grid
-inline constexpr uint32_t kPositionBitsAt = 16;   // u8: 8..16
-inline constexpr uint32_t kWeightBitsAt = 17;     // u8: 4..16; the weights of a node sum to 2^bits - 1
-inline constexpr uint32_t kNormalBitsAt = 18;     // u8: 4..15, octahedral, normals and tangents
-inline constexpr uint32_t kUvBitsAt = 19;         // u8: 4..16
-inline constexpr uint32_t kMaxInfluencesAt = 20;  // u8: 1..8
-inline constexpr uint32_t kUvSetsAt = 21;         // u8: 0..8
-inline constexpr uint32_t kColorSetsAt = 22;      // u8: 0..2
-inline constexpr uint32_t kAttributesAt = 23;     // u8: bit 0 normals, bit 1 tangents
-inline constexpr uint32_t kPlacementShiftAt = 24; // u8: 0..31, see placement.h
-inline constexpr uint32_t kReserved0At = 25;      // 3 bytes
-inline constexpr uint32_t kNodeCountAt = 28;      // u32: nodes of the hierarchy
-inline constexpr uint32_t kWedgeCountAt = 32;     // u32
-inline constexpr uint32_t kFaceCountAt = 36;      // u32
-inline constexpr uint32_t kRestDiagonalAt = 40;   // f32
-inline constexpr uint32_t kPosedDiagonalAt = 44;  // f32
-inline constexpr uint32_t kGridMinAt = 48;        // u32 x 3: box of all nodes, grid coordinates
-inline constexpr uint32_t kGridMaxAt = 60;        // u32 x 3
+inline constexpr uint32_t kGridOriginAt = 0;       // f32 x 3
+inline constexpr uint32_t kGridStepAt = 12;        // f32, > 0: bind space = origin + step * grid
+inline constexpr uint32_t kPositionBitsAt = 16;    // u8: 8..16
+inline constexpr uint32_t kWeightBitsAt = 17;      // u8: 4..16; the weights of a node sum to 2^bits - 1
+inline constexpr uint32_t kNormalBitsAt = 18;      // u8: 4..15, octahedral, normals and tangents
+inline constexpr uint32_t kUvBitsAt = 19;          // u8: 4..16
+inline constexpr uint32_t kMaxInfluencesAt = 20;   // u8: 1..8
+inline constexpr uint32_t kUvSetsAt = 21;          // u8: 0..8
+inline constexpr uint32_t kColorSetsAt = 22;       // u8: 0..2
+inline constexpr uint32_t kAttributesAt = 23;      // u8: bit 0 normals, bit 1 tangents
+inline constexpr uint32_t kPlacementShiftAt = 24;  // u8: 0..31, see placement.h
+inline constexpr uint32_t kReserved0At = 25;       // 3 bytes
+inline constexpr uint32_t kNodeCountAt = 28;       // u32: nodes of the hierarchy
+inline constexpr uint32_t kWedgeCountAt = 32;      // u32
+inline constexpr uint32_t kFaceCountAt = 36;       // u32
+inline constexpr uint32_t kRestDiagonalAt = 40;    // f32
+inline constexpr uint32_t kPosedDiagonalAt = 44;   // f32
+inline constexpr uint32_t kGridMinAt = 48;         // u32 x 3: box of all nodes, grid coordinates
+inline constexpr uint32_t kGridMaxAt = 60;         // u32 x 3
 inline constexpr uint32_t kBytes = 72;
 inline constexpr uint32_t kHasNormals = 1, kHasTangents = 2;
 }  // namespace info
@@ -96,11 +97,11 @@ inline constexpr uint32_t kHasNormals = 1, kHasTangents = 2;
 /// NODE: the scene graph, parents before children.
 namespace node {
 inline constexpr uint32_t kId = chunkId('N', 'O', 'D', 'E');
-inline constexpr uint32_t kNameAt = 0;          // u32: offset in NAME
-inline constexpr uint32_t kParentAt = 4;        // u32, kNoIndex for a root, else smaller than the node's own index
-inline constexpr uint32_t kTranslationAt = 8;   // f32 x 3
-inline constexpr uint32_t kRotationAt = 20;     // f32 x 4, quaternion x y z w
-inline constexpr uint32_t kScaleAt = 36;        // f32 x 3
+inline constexpr uint32_t kNameAt = 0;         // u32: offset in NAME
+inline constexpr uint32_t kParentAt = 4;       // u32, kNoIndex for a root, else smaller than the node's own index
+inline constexpr uint32_t kTranslationAt = 8;  // f32 x 3
+inline constexpr uint32_t kRotationAt = 20;    // f32 x 4, quaternion x y z w
+inline constexpr uint32_t kScaleAt = 36;       // f32 x 3
 inline constexpr uint32_t kBytes = 48;
 }  // namespace node
 
@@ -142,14 +143,14 @@ inline constexpr uint32_t kBytes = 12;
 /// LEVL: the levels, coarse to fine. Counts and page_end grow strictly, except face_count (grows or stays).
 namespace level {
 inline constexpr uint32_t kId = chunkId('L', 'E', 'V', 'L');
-inline constexpr uint32_t kPageEndAt = 0;        // u32: needs pages [0, page_end)
-inline constexpr uint32_t kNodeCountAt = 4;      // u32: nodes created up to and with this level
-inline constexpr uint32_t kWedgeCountAt = 8;     // u32
-inline constexpr uint32_t kFaceCountAt = 12;     // u32: faces born, the hidden ones included
-inline constexpr uint32_t kHiddenCountAt = 16;   // u32: faces of this cut that are not drawn (equal to another face)
-inline constexpr uint32_t kErrorAt = 20;         // f32, >= 0, never grows from a level to the next
-inline constexpr uint32_t kErrorRmsAt = 24;      // f32, >= 0
-inline constexpr uint32_t kJointCountAt = 28;    // u32: joints that influence a node of this level's cut
+inline constexpr uint32_t kPageEndAt = 0;       // u32: needs pages [0, page_end)
+inline constexpr uint32_t kNodeCountAt = 4;     // u32: nodes created up to and with this level
+inline constexpr uint32_t kWedgeCountAt = 8;    // u32
+inline constexpr uint32_t kFaceCountAt = 12;    // u32: faces born, the hidden ones included
+inline constexpr uint32_t kHiddenCountAt = 16;  // u32: faces of this cut that are not drawn (equal to another face)
+inline constexpr uint32_t kErrorAt = 20;        // f32, >= 0, never grows from a level to the next
+inline constexpr uint32_t kErrorRmsAt = 24;     // f32, >= 0
+inline constexpr uint32_t kJointCountAt = 28;   // u32: joints that influence a node of this level's cut
 inline constexpr uint32_t kBytes = 32;
 }  // namespace level
 
@@ -162,9 +163,9 @@ inline constexpr uint32_t kChecksumAt = 8;    // u64: XXH64, seed 0
 inline constexpr uint32_t kNodeCountAt = 16;  // u32: nodes, wedges and faces after this page
 inline constexpr uint32_t kWedgeCountAt = 20;
 inline constexpr uint32_t kFaceCountAt = 24;
-inline constexpr uint32_t kValuesAt = 28;     // u32: integers in all of the page's streams: the reader's scratch memory
-inline constexpr uint32_t kMaxFanAt = 32;     // u32: corners at the largest node that the page splits
-inline constexpr uint32_t kReservedAt = 36;   // u32
+inline constexpr uint32_t kValuesAt = 28;    // u32: integers in all of the page's streams: the reader's scratch memory
+inline constexpr uint32_t kMaxFanAt = 32;    // u32: most corners or wedges at a node that the page splits
+inline constexpr uint32_t kReservedAt = 36;  // u32
 inline constexpr uint32_t kBytes = 40;
 }  // namespace page
 

@@ -17,14 +17,19 @@ struct Int2 {
 
 constexpr int32_t octahedralCenter(uint32_t bits) { return (1 << (bits - 1)) - 1; }
 
-/// Brings a point up to one square outside back inside, through the edge it left by (half turn about the edge's middle).
+/// Brings a point up to one square outside back inside, through the edge it left by (half turn about the edge's
+/// middle).
 constexpr Int2 octahedralFold(Int2 p, int32_t center) {
   const int32_t size = 2 * center;
   for (int pass = 0; pass < 2; ++pass) {
-    if (p.x < 0) p = {-p.x, size - p.y};
-    else if (p.x > size) p = {2 * size - p.x, size - p.y};
-    if (p.y < 0) p = {size - p.x, -p.y};
-    else if (p.y > size) p = {size - p.x, 2 * size - p.y};
+    if (p.x < 0)
+      p = {-p.x, size - p.y};
+    else if (p.x > size)
+      p = {2 * size - p.x, size - p.y};
+    if (p.y < 0)
+      p = {size - p.x, -p.y};
+    else if (p.y > size)
+      p = {size - p.x, 2 * size - p.y};
   }
   return p;
 }

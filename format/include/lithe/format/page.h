@@ -11,7 +11,8 @@
 
 namespace lithe::format {
 
-// ---- Layout ----------------------------------------------------------------------------------------------------------
+// ---- Layout
+// ----------------------------------------------------------------------------------------------------------
 
 enum PageKind : uint8_t { kBasePage = 0, kSplitPage = 1 };
 
@@ -26,28 +27,28 @@ enum BaseStream : uint32_t {
 
 /// Streams of a split page, in order.
 enum SplitStream : uint32_t {
-  kFlagsOld,     ///< per node of an earlier level: split (1) or not (0)
-  kFlagsNew,     ///< per node created by this level: split or not
-  kSplits,       ///< per split: t8 | lattice k x y z | mode | skin mode | D residual high parts x y z
-  kCut3,         ///< per split with a closed ring of 3 edges: the pair of cut vertices; likewise 4, 5, 6, 7, 8, 9 or more
+  kFlagsOld,  ///< per node of an earlier level: split (1) or not (0)
+  kFlagsNew,  ///< per node created by this level: split or not
+  kSplits,    ///< per split: t8 | lattice k x y z | mode | skin mode | D residual high parts x y z
+  kCut3,      ///< per split with a closed ring of 3 edges: the pair of cut vertices; likewise 4, 5, 6, 7, 8, 9 or more
   kCut4,
   kCut5,
   kCut6,
   kCut7,
   kCut8,
   kCut9,
-  kCutOpen,      ///< cut vertices of open rings
-  kGeneral,      ///< the corners of child B and the new faces of irregular splits
-  kWedgeClasses, ///< per wedge of a split node: how many wedges each child gets
-  kWedgePicks,   ///< which wedge, where there are several
-  kNormals,      ///< per united wedge: high parts x y
-  kTangents,     ///< per united wedge: high parts x y | sign flip
-  kColors,       ///< per united wedge and set: r g b a
-  kSkinD,        ///< differences of the children's weights
-  kSkinE,        ///< difference of child B's weights to the parent's, where the skin is free
-  kSkinNew,      ///< counts of joints the parent lacks, and their ids
-  kExtras,       ///< attributes of a class's further wedges
-  kUv0,          ///< per united wedge: high parts x y; one stream per uv set
+  kCutOpen,       ///< cut vertices of open rings
+  kGeneral,       ///< the corners of child B and the new faces of irregular splits
+  kWedgeClasses,  ///< per wedge of a split node: how many wedges each child gets
+  kWedgePicks,    ///< which wedge, where there are several
+  kNormals,       ///< per united wedge: high parts x y
+  kTangents,      ///< per united wedge: high parts x y | sign flip
+  kColors,        ///< per united wedge and set: r g b a
+  kSkinD,         ///< differences of the children's weights
+  kSkinE,         ///< difference of child B's weights to the parent's, where the skin is free
+  kSkinNew,       ///< counts of joints the parent lacks, and their ids
+  kExtras,        ///< attributes of a class's further wedges
+  kUv0,           ///< per united wedge: high parts x y; one stream per uv set
   kSplitStreamCount = kUv0 + 8
 };
 
@@ -111,16 +112,16 @@ constexpr uint32_t splitStreamAttributes(uint32_t stream, WedgeAttributes has, S
 
 /// Page parameters, one byte each; bytes not named are zero.
 enum Parameter : uint32_t {
-  kLaplacian,      ///< prediction of D: sixteenths of the difference of the children's neighbourhoods [0, 32]
-  kPositionBias,   ///< low bits of a D residual = max(0, bit length of the ring's extent - bias) [0, 31]
-  kNormalShift,    ///< low bits of a normal difference [0, 15]
+  kLaplacian,     ///< prediction of D: sixteenths of the difference of the children's neighbourhoods [0, 32]
+  kPositionBias,  ///< low bits of a D residual = max(0, bit length of the ring's extent - bias) [0, 31]
+  kNormalShift,   ///< low bits of a normal difference [0, 15]
   kTangentShift,
-  kUvBias0,        ///< low bits of a uv difference = max(0, bit length of |D| - bias) [0, 31]; one byte per uv set
+  kUvBias0,  ///< low bits of a uv difference = max(0, bit length of |D| - bias) [0, 31]; one byte per uv set
   kParameterBytes = kUvBias0 + 8
 };
 
 inline constexpr uint32_t kLowBitsMax = 15;
-inline constexpr uint32_t kMaxRing = 64;        ///< larger fans are split in mode kModeGeneral
+inline constexpr uint32_t kMaxRing = 64;            ///< larger fans are split in mode kModeGeneral
 inline constexpr uint32_t kMaxPageWork = 1u << 26;  ///< corners visited while a page's splits are applied
 
 /// Upper bounds on a split page's records that its own tables do not give: kGeneral and kWedgePicks.
@@ -129,18 +130,19 @@ inline constexpr uint32_t kMaxSkinJoints = 24;  ///< joints of a parent and its 
 
 /// How a split divides its ring (the mode value of kSplits).
 enum SplitMode : int32_t {
-  kModeRing = 0,    ///< closed ring: two cut vertices; open ring: one; a fan that is no ring: as kModeGeneral
-  kModeOpenTwo = 1, ///< open ring with two cut vertices
-  kModeGeneral = 2, ///< sides and faces listed one by one
+  kModeRing = 0,     ///< closed ring: two cut vertices; open ring: one; a fan that is no ring: as kModeGeneral
+  kModeOpenTwo = 1,  ///< open ring with two cut vertices
+  kModeGeneral = 2,  ///< sides and faces listed one by one
 };
 
 enum SkinMode : int32_t {
-  kSkinSame = 0,   ///< both children have the parent's skin
-  kSkinRule = 1,   ///< the parent's weights follow from the children's by t8
-  kSkinFree = 2,   ///< both children are given against the parent
+  kSkinSame = 0,  ///< both children have the parent's skin
+  kSkinRule = 1,  ///< the parent's weights follow from the children's by t8
+  kSkinFree = 2,  ///< both children are given against the parent
 };
 
-// ---- Arithmetic ------------------------------------------------------------------------------------------------------
+// ---- Arithmetic
+// ------------------------------------------------------------------------------------------------------
 
 /// Number of bits of v >= 0: 0 for 0, 1 for 1, 2 for 2 and 3, ...
 constexpr int32_t bitLength(uint32_t v) {
@@ -172,10 +174,11 @@ constexpr void pairOf(uint32_t index, uint32_t* p, uint32_t* q) {
 /// The stream of cut vertices for a closed ring of n edges.
 constexpr uint32_t cutStream(uint32_t n) { return n >= 9 ? static_cast<uint32_t>(kCut9) : kCut3 + (n < 3 ? 0 : n - 3); }
 
-// ---- Rings -----------------------------------------------------------------------------------------------------------
+// ---- Rings
+// -----------------------------------------------------------------------------------------------------------
 
-/// The faces around a node w in the current cut: corner ids (3 * face + k) in ascending order, and for each the nodes of
-/// the next and the previous corner of its face. Seen from w, the face's edge runs from `next` to `previous`.
+/// The faces around a node w in the current cut: corner ids (3 * face + k) in ascending order, and for each the nodes
+/// of the next and the previous corner of its face. Seen from w, the face's edge runs from `next` to `previous`.
 struct Fan {
   uint32_t count;
   uint32_t* corner;
@@ -189,8 +192,8 @@ enum class RingKind { kClosed, kOpen, kIrregular };
 /// vertices).
 struct Ring {
   RingKind kind;
-  uint32_t count;                    ///< edges
-  uint8_t edge[kMaxRing];            ///< index into the fan
+  uint32_t count;          ///< edges
+  uint8_t edge[kMaxRing];  ///< index into the fan
   uint32_t vertex[kMaxRing + 1];
 };
 
@@ -238,12 +241,11 @@ struct Neighbourhood {
 /// floor(a / b) for b > 0.
 constexpr int64_t floorDivide(int64_t a, int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-/// Prediction of D = position(A) - position(B): laplacian / 16 of the difference of the means of the two neighbourhoods.
-/// One component; 0 when a child has no neighbour.
+/// Prediction of D = position(A) - position(B): laplacian / 16 of the difference of the means of the two
+/// neighbourhoods. One component; 0 when a child has no neighbour.
 constexpr int32_t predictDifference(int64_t sum_a, int64_t count_a, int64_t sum_b, int64_t count_b, int32_t laplacian) {
   if (count_a == 0 || count_b == 0) return 0;
-  return static_cast<int32_t>(
-      floorDivide(laplacian * (sum_a * count_b - sum_b * count_a), 16 * count_a * count_b));
+  return static_cast<int32_t>(floorDivide(laplacian * (sum_a * count_b - sum_b * count_a), 16 * count_a * count_b));
 }
 
 }  // namespace lithe::format

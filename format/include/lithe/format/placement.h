@@ -24,7 +24,8 @@ constexpr int32_t eighths(int32_t d, int32_t t8) { return (t8 * d + 4) >> 3; }
 constexpr int32_t absolute(int32_t x) { return x < 0 ? -x : x; }
 
 /// The placement lattice's step for a difference D: the largest power of two that is at most max(|D|) / 2^shift, and at
-/// least 1. shift is a property of the file (the bake's --precision); a large shift means that every grid point can be hit.
+/// least 1. shift is a property of the file (the bake's --precision); a large shift means that every grid point can be
+/// hit.
 constexpr int32_t latticeStep(Int3 d, uint32_t shift) {
   int32_t extent = absolute(d.x) > absolute(d.y) ? absolute(d.x) : absolute(d.y);
   if (absolute(d.z) > extent) extent = absolute(d.z);

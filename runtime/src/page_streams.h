@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// A page's streams, entropy decoded: one array of integers per stream attribute, read in order.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "draco_cloud.h"
+#include "page.h"
+
+namespace lithe::runtime {
+
+/// Reader checks of docs/format.md that concern pages.
+enum PageCheck : uint32_t {
+  kCheckKind = 62,
+  kCheckParameters = 63,
+  kCheckTable = 64,
+  kCheckCloud = 65,
+  kCheckLeftover = 66,
+  kCheckNode = 67,
+  kCheckSkin = 68,
+  kCheckWedge = 69,
+  kCheckBaseFace = 70,
+  kCheckFlags = 71,
+  kCheckSplit = 72,
+  kCheckPosition = 73,
+  kCheckCut = 74,
+  kCheckGeneral = 75,
+  kCheckClasses = 76,
+  kCheckPick = 77,
+  kCheckFace = 78,
+  kCheckChildSkin = 79,
+  kCheckStream = 80,
+  kCheckWork = 81,
+  kCheckCounts = 82,
+  kCheckHidden = 83,
+};
+
+/// 0 when all is well, else the check that failed.
+constexpr uint32_t failUnless(bool ok, PageCheck check) { return ok ? 0u : static_cast<uint32_t>(check); }
+
+/// Integers read front to back. Reading past the end gives 0 and is remembered.
+struct IntReader {
+  const int32_t* at = nullptr;
+  const int32_t* end = nullptr;
+  bool overrun = false;
+
+  int32_t next() {
+    if (at == end) {
+      overrun = true;
+      return 0;
+    }
+    return *at++;
+  }
+  uint32_t left() const { return static_cast<uint32_t>(end - at); }
+};
+
+/// Bits read front to back, least significant first. Reading past the end gives 0 and is remembered.
+struct BitReader {
+  const uint8_t* bytes = nullptr;
+  uint64_t bit = 0, bit_end = 0;
+  bool overrun = false;
+
+  uint32_t next(int32_t count) {
+    if (bit + static_cast<uint64_t>(count) > bit_end) {
+      overrun = true;
+      return 0;
+    }
+    uint32_t value = 0;
+    for (int32_t done = 0; done < count;) {
+      const uint32_t offset = static_cast<uint32_t>(bit & 7);
+      const int32_t take =
+          count - done < static_cast<int32_t>(8 - offset) ? count - done : static_cast<int32_t>(8 - offset);
+      value |= ((bytes[bit >> 3] >> offset) & ((1u << take) - 1)) << done;
+      bit += static_cast<uint64_t>(take);
+      done += take;
+    }
+    return value;
+  }
+};
+
+inline constexpr uint32_t kMaxStreams = static_cast<uint32_t>(format::kSplitStreamCount) >
+                                                static_cast<uint32_t>(format::kBaseStreamCount)
+                                            ? static_cast<uint32_t>(format::kSplitStreamCount)
+                                            : static_cast<uint32_t>(format::kBaseStreamCount);
+inline constexpr uint32_t kMaxAttributesPerStream = format::kMaxStreamAttributes;
+
+struct PageStreams {
+  const uint8_t* parameters;
+  uint32_t records[kMaxStreams];
+  IntReader values[kMaxStreams][kMaxAttributesPerStream];
+  BitReader low_bits;
+  const uint8_t* hidden;  ///< what follows the low bits
+  const uint8_t* hidden_end;
+};
+
+/// Reads a page's header and tables, checks every stream's length against what the plan allows, and decodes the clouds.
+/// values   room for plan.values integers, used as the streams' memory
+/// returns  the check that failed, 0 when all is well; *offset is where in the page
+uint32_t readStreams(const PageFormat& format, const PagePlan& plan, const Decoded& before, const uint8_t* bytes,
+                     size_t size, int32_t* values, const DecodeScratch& scratch, PageStreams* streams, size_t* offset);
+
+/// Every stream must have been read to its end, and no further.
+bool streamsExhausted(const PageStreams& streams);
+
+/// LEB128, at most 5 bytes; returns false at the end of the bytes or beyond 32 bits.
+bool readVarint(const uint8_t** at, const uint8_t* end, uint32_t* value);
+
+}  // namespace lithe::runtime

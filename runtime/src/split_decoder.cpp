@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "split_decoder.h"
+
+#include <string.h>
+
+#include <algorithm>
+
+#include "lithe/format/file.h"
+#include "lithe/format/octahedral.h"
+#include "page_base.h"
+
+namespace lithe::runtime {
+namespace {
+
+using format::kNoIndex;
+
+constexpr uint32_t kSplitT8 = 0, kSplitLattice = 1, kSplitMode = 2, kSplitSkin = 3, kSplitPosition = 4;
+
+}  // namespace
+
+SplitDecoder::SplitDecoder(const PageFormat& format, const PagePlan& plan, PageStreams* streams,
+                           const FanScratch& scratch, Decoded* decoded)
+    : format_(format), plan_(plan), streams_(streams), scratch_(scratch), out_(decoded) {
+  attributeLimits(format, greatest_);
+}
+
+uint32_t SplitDecoder::run(uint32_t* cursor) {
+  uint32_t node = *cursor;
+  for (; node < out_->node_count && (out_->node_count < plan_.node_count || plan_.ends_level); ++node) {
+    if (out_->node_first_child[node] != kNoIndex) continue;
+    const int32_t flag =
+        streams_->values[node < plan_.level_first_node ? format::kFlagsOld : format::kFlagsNew][0].next();
+    if (flag == 0) continue;
+    if (flag != 1 || out_->node_count + 2 > plan_.node_count) return kCheckFlags;
+    if (const uint32_t check = splitNode(node)) return check;
+  }
+  *cursor = node;
+  return 0;
+}
+
+uint32_t SplitDecoder::splitNode(uint32_t node) {
+  if (!gatherFan(node)) return kCheckWork;
+  IntReader* split = streams_->values[format::kSplits];
+  const int32_t t8 = split[kSplitT8].next(), mode = split[kSplitMode].next(), skin_mode = split[kSplitSkin].next();
+  if (t8 < 0 || t8 > 8 || mode > format::kModeGeneral || skin_mode > format::kSkinFree) return kCheckSplit;
+  format::buildRing(fan_, ring_);
+  listed_ = ring_.kind == format::RingKind::kIrregular || mode == format::kModeGeneral;
+  if (ring_.kind == format::RingKind::kClosed && mode == format::kModeOpenTwo) return kCheckSplit;
+  if (ring_.kind == format::RingKind::kIrregular && mode != format::kModeRing) return kCheckSplit;
+
+  uint32_t check = listed_ ? readList() : readRing(mode);
+  if (check == 0) check = placeChildren(node, t8);
+  if (check == 0) check = readClasses(node);
+  if (check == 0) check = readAttributes(node, t8);
+  if (check == 0) check = moveFan();
+  if (check == 0) check = addFaces();
+  if (check == 0) check = readSkins(node, skin_mode, t8);
+  return check;
+}
+
+bool SplitDecoder::gatherFan(uint32_t node) {
+  uint32_t count = 0;
+  for (uint32_t corner = out_->node_first_corner[node]; corner != kNoIndex; corner = out_->corner_next[corner]) {
+    if (count == scratch_.capacity) return false;
+    scratch_.corner[count++] = corner;
+  }
+  work_ += count;
+  if (work_ > format::kMaxPageWork) return false;
+  std::sort(scratch_.corner, scratch_.corner + count);
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t corner = scratch_.corner[i], k = corner % 3, first = corner - k;
+    scratch_.wedge[i] = out_->face_wedges[corner];
+    scratch_.next[i] = out_->wedge_node[out_->face_wedges[first + (k + 1) % 3]];
+    scratch_.previous[i] = out_->wedge_node[out_->face_wedges[first + (k + 2) % 3]];
+  }
+  fan_ = {count, scratch_.corner, scratch_.next, scratch_.previous};
+  return true;
+}
+
+uint32_t SplitDecoder::readRing(int32_t mode) {
+  const bool closed = ring_.kind == format::RingKind::kClosed;
+  const uint32_t edges = ring_.count, vertices = closed ? edges : edges + 1;
+  const uint32_t value = static_cast<uint32_t>(
+      streams_->values[closed ? format::cutStream(edges) : static_cast<uint32_t>(format::kCutOpen)][0].next());
+  uint32_t p = value, q = edges;  // child B owns the edges [p, q)
+  bool inside_is_b = true;
+  face_count_ = 1;
+  if (closed || mode == format::kModeOpenTwo) {
+    if (value >= vertices * (vertices - 1) / 2) return kCheckCut;
+    format::pairOf(value, &p, &q);
+    // In a closed ring child A owns edge 0.
+    inside_is_b = !closed || p != 0;
+    face_count_ = 2;
+  } else if (value >= vertices) {
+    return kCheckCut;
+  }
+  for (uint32_t i = 0; i < edges; ++i) scratch_.at_b[ring_.edge[i]] = (i >= p && i < q) == inside_is_b;
+  const uint32_t at[2] = {p, q};
+  for (uint32_t i = 0; i < face_count_; ++i) {
+    const bool past_end = at[i] == edges;
+    ring_faces_[i] = {ring_.vertex[at[i]], (i == 0) == inside_is_b, ring_.edge[past_end ? edges - 1 : at[i]], past_end};
+  }
+  return 0;
+}
+
+uint32_t SplitDecoder::readList() {
+  IntReader& list = streams_->values[format::kGeneral][0];
+  const uint32_t count_b = static_cast<uint32_t>(list.next());
+  if (count_b > fan_.count) return kCheckGeneral;
+  memset(scratch_.at_b, 0, fan_.count);
+  uint64_t next = 0;
+  for (uint32_t i = 0; i < count_b; ++i) {
+    next += static_cast<uint32_t>(list.next());
+    if (next >= fan_.count) return kCheckGeneral;
+    scratch_.at_b[next++] = 1;
+  }
+  face_count_ = static_cast<uint32_t>(list.next());
+  return failUnless(face_count_ <= plan_.face_count - out_->face_count, kCheckGeneral);
+}
+
+/// The third node of a listed face: by rank among the fan's neighbours, or by id.
+uint32_t SplitDecoder::listedNode(uint32_t neighbour_count, uint32_t* node) {
+  IntReader& list = streams_->values[format::kGeneral][0];
+  const uint32_t rank = static_cast<uint32_t>(list.next());
+  if (rank > neighbour_count) return kCheckGeneral;
+  if (rank > 0) {
+    *node = scratch_.sorted[rank - 1];
+    return 0;
+  }
+  const uint64_t high = static_cast<uint32_t>(list.next()), low = static_cast<uint32_t>(list.next());
+  if (high > 0xffff || low > 0xffff) return kCheckGeneral;
+  *node = static_cast<uint32_t>(high << 16 | low);
+  return 0;
+}
+
+uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
+  format::Neighbourhood sum[2] = {};
+  const int32_t* w = out_->node_position + 3 * static_cast<size_t>(node);
+  int32_t least[3] = {w[0], w[1], w[2]}, greatest[3] = {w[0], w[1], w[2]};
+  for (uint32_t i = 0; i < fan_.count; ++i) {
+    format::Neighbourhood& side = sum[scratch_.at_b[i]];
+    side.count += 2;
+    for (uint32_t neighbour : {fan_.next[i], fan_.previous[i]}) {
+      const int32_t* p = out_->node_position + 3 * static_cast<size_t>(neighbour);
+      side.x += p[0];
+      side.y += p[1];
+      side.z += p[2];
+      for (int c = 0; c < 3; ++c) {
+        least[c] = std::min(least[c], p[c]);
+        greatest[c] = std::max(greatest[c], p[c]);
+      }
+    }
+  }
+  const int32_t extent = std::max(greatest[0] - least[0], std::max(greatest[1] - least[1], greatest[2] - least[2]));
+  const int32_t low = format::lowBits(static_cast<uint32_t>(extent), streams_->parameters[format::kPositionBias]);
+  const int32_t laplacian = streams_->parameters[format::kLaplacian];
+
+  IntReader* split = streams_->values[format::kSplits];
+  int32_t d[3], k[3];
+  const int64_t sums_a[3] = {sum[0].x, sum[0].y, sum[0].z}, sums_b[3] = {sum[1].x, sum[1].y, sum[1].z};
+  for (int c = 0; c < 3; ++c) {
+    k[c] = split[kSplitLattice].next();
+    const int64_t exact = int64_t{residual(&split[kSplitPosition], low)} +
+                          format::predictDifference(sums_a[c], sum[0].count, sums_b[c], sum[1].count, laplacian);
+    // Larger differences cannot lie between two points of the grid, and would overflow below.
+    if (exact >= 1 << format_.position_bits || exact <= -(1 << format_.position_bits)) return kCheckPosition;
+    d[c] = static_cast<int32_t>(exact);
+  }
+  const format::Int3 difference{d[0], d[1], d[2]};
+  const int32_t step = format::latticeStep(difference, format_.placement_shift);
+  extent_ =
+      static_cast<uint32_t>(std::max(format::absolute(d[0]), std::max(format::absolute(d[1]), format::absolute(d[2]))));
+
+  const uint32_t child_a = out_->node_count, child_b = child_a + 1;
+  for (uint32_t c = 0; c < 3; ++c) {
+    const int64_t b = static_cast<int64_t>(w[c]) - static_cast<int64_t>(k[c]) * step - format::eighths(d[c], t8);
+    const int64_t a = b + d[c];
+    if (b < 0 || a < 0 || b >> format_.position_bits || a >> format_.position_bits) return kCheckPosition;
+    out_->node_position[3 * static_cast<size_t>(child_a) + c] = static_cast<int32_t>(a);
+    out_->node_position[3 * static_cast<size_t>(child_b) + c] = static_cast<int32_t>(b);
+  }
+  for (uint32_t child : {child_a, child_b}) {
+    out_->node_parent[child] = node;
+    out_->node_first_child[child] = kNoIndex;
+    out_->node_first_corner[child] = kNoIndex;
+  }
+  return 0;
+}
+
+uint32_t SplitDecoder::readClasses(uint32_t node) {
+  first_parent_wedge_ = out_->node_first_wedge[node];
+  const uint32_t count = out_->node_first_wedge[node + 1] - first_parent_wedge_;
+  if (count > scratch_.capacity) return kCheckWork;
+  uint64_t total_a = 0, total_b = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const int32_t code = streams_->values[format::kWedgeClasses][0].next();
+    WedgeClass& wedge_class = scratch_.classes[i];
+    if (code > format::kClassListed) return kCheckClasses;
+    if (code == format::kClassListed) {
+      wedge_class.count_a = static_cast<uint32_t>(streams_->values[format::kWedgePicks][0].next());
+      wedge_class.count_b = static_cast<uint32_t>(streams_->values[format::kWedgePicks][0].next());
+    } else {
+      wedge_class.count_a = format::kClassA[code];
+      wedge_class.count_b = format::kClassB[code];
+    }
+    if (wedge_class.count_a == 0 && wedge_class.count_b == 0) return kCheckClasses;
+    total_a += wedge_class.count_a;
+    total_b += wedge_class.count_b;
+    if (total_a + total_b > plan_.wedge_count - out_->wedge_count) return kCheckClasses;
+  }
+  if (total_a == 0 || total_b == 0) return kCheckClasses;
+
+  const uint32_t child_a = out_->node_count, first_a = out_->wedge_count;
+  const uint32_t first_b = first_a + static_cast<uint32_t>(total_a), end = first_b + static_cast<uint32_t>(total_b);
+  uint32_t next_a = first_a, next_b = first_b;
+  for (uint32_t i = 0; i < count; ++i) {
+    WedgeClass& wedge_class = scratch_.classes[i];
+    wedge_class.first_a = next_a;
+    wedge_class.first_b = next_b;
+    next_a += wedge_class.count_a;
+    next_b += wedge_class.count_b;
+    const uint32_t parent = first_parent_wedge_ + i;
+    auto adopt = [&](uint32_t wedge, uint32_t child) {
+      out_->wedge_node[wedge] = child;
+      out_->wedge_parent[wedge] = parent;
+      out_->wedge_part[wedge] = out_->wedge_part[parent];
+    };
+    for (uint32_t m = 0; m < wedge_class.count_a; ++m) adopt(wedge_class.first_a + m, child_a);
+    for (uint32_t m = 0; m < wedge_class.count_b; ++m) adopt(wedge_class.first_b + m, child_a + 1);
+  }
+  out_->node_first_wedge[child_a] = first_a;
+  out_->node_first_wedge[child_a + 1] = first_b;
+  out_->node_first_wedge[child_a + 2] = end;
+  out_->node_first_child[node] = child_a;
+  out_->node_count += 2;
+  out_->wedge_count = end;
+  return 0;
+}
+
+bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, int32_t t8, const uint16_t* parent, uint16_t* a,
+                                 uint16_t* b) {
+  const int32_t center = static_cast<int32_t>(format_.normal_center), size = 2 * center;
+  const format::Int2 d{residual(high, static_cast<int32_t>(shift)), residual(high, static_cast<int32_t>(shift))};
+  if (d.x < -2 * size || d.x > 2 * size || d.y < -2 * size || d.y > 2 * size) return false;
+  const format::Int2 x{parent[0] - format::eighths(d.x, t8), parent[1] - format::eighths(d.y, t8)};
+  const format::Int2 at_b = format::octahedralFold(x, center);
+  const format::Int2 at_a = format::octahedralFold({x.x + d.x, x.y + d.y}, center);
+  for (format::Int2 p : {at_a, at_b})
+    if (p.x < 0 || p.x > size || p.y < 0 || p.y > size) return false;
+  a[0] = static_cast<uint16_t>(at_a.x);
+  a[1] = static_cast<uint16_t>(at_a.y);
+  b[0] = static_cast<uint16_t>(at_b.x);
+  b[1] = static_cast<uint16_t>(at_b.y);
+  return true;
+}
+
+uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
+  const uint32_t stride = format_.layout.stride;
+  const uint32_t count = out_->node_first_wedge[node + 1] - first_parent_wedge_;
+  auto record = [&](uint32_t wedge) { return out_->wedge_attributes + static_cast<size_t>(wedge) * stride; };
+  const uint8_t* parameters = streams_->parameters;
+  for (uint32_t i = 0; i < count; ++i) {
+    const WedgeClass& wedge_class = scratch_.classes[i];
+    const uint16_t* parent = record(first_parent_wedge_ + i);
+    if (wedge_class.count_a && wedge_class.count_b) {
+      uint16_t* a = record(wedge_class.first_a);
+      uint16_t* b = record(wedge_class.first_b);
+      uint32_t at = 0;
+      if (format_.has.normals) {
+        if (!readDirection(&streams_->values[format::kNormals][0], parameters[format::kNormalShift], t8, parent, a, b))
+          return kCheckWedge;
+        at += 2;
+      }
+      if (format_.has.tangents) {
+        IntReader* tangents = streams_->values[format::kTangents];
+        if (!readDirection(&tangents[0], parameters[format::kTangentShift], t8, parent + at, a + at, b + at))
+          return kCheckWedge;
+        const uint32_t flips = static_cast<uint32_t>(tangents[1].next());
+        if (flips > 3) return kCheckWedge;
+        b[at + 2] = parent[at + 2] ^ (flips & 1);
+        a[at + 2] = parent[at + 2] ^ (flips >> 1);
+        at += 3;
+      }
+      auto linear = [&](int32_t d) {
+        if (d < -greatest_[at] || d > greatest_[at]) return false;
+        const int32_t at_b = parent[at] - format::eighths(d, t8), at_a = at_b + d;
+        if (at_a < 0 || at_a > greatest_[at] || at_b < 0 || at_b > greatest_[at]) return false;
+        a[at] = static_cast<uint16_t>(at_a);
+        b[at++] = static_cast<uint16_t>(at_b);
+        return true;
+      };
+      for (uint32_t s = 0; s < format_.has.uv_sets; ++s) {
+        const int32_t low = format::lowBits(extent_, parameters[format::kUvBias0 + s]);
+        for (int c = 0; c < 2; ++c)
+          if (!linear(residual(&streams_->values[format::kUv0 + s][0], low))) return kCheckWedge;
+      }
+      for (uint32_t c = 0; c < 4 * format_.has.color_sets; ++c)
+        if (!linear(streams_->values[format::kColors][0].next())) return kCheckWedge;
+    } else {
+      memcpy(record(wedge_class.count_a ? wedge_class.first_a : wedge_class.first_b), parent,
+             stride * sizeof(uint16_t));
+    }
+    for (uint32_t side = 0; side < 2; ++side) {
+      const uint32_t first = side ? wedge_class.first_b : wedge_class.first_a;
+      const uint32_t members = side ? wedge_class.count_b : wedge_class.count_a;
+      for (uint32_t m = 1; m < members; ++m)
+        for (uint32_t v = 0; v < stride; ++v) {
+          const int32_t value = record(first)[v] + streams_->values[format::kExtras][0].next();
+          if (value < 0 || value > greatest_[v]) return kCheckWedge;
+          record(first + m)[v] = static_cast<uint16_t>(value);
+        }
+    }
+  }
+  return 0;
+}
+
+uint32_t SplitDecoder::pick(uint32_t count) {
+  return count > 1 ? static_cast<uint32_t>(streams_->values[format::kWedgePicks][0].next()) : 0;
+}
+
+bool SplitDecoder::childWedge(uint32_t wedge_class, bool at_b, uint32_t* wedge) {
+  const WedgeClass& c = scratch_.classes[wedge_class];
+  const uint32_t members = at_b ? c.count_b : c.count_a;
+  const uint32_t member = pick(members);
+  if (member >= members) return false;
+  *wedge = (at_b ? c.first_b : c.first_a) + member;
+  return true;
+}
+
+uint32_t SplitDecoder::moveFan() {
+  for (uint32_t i = 0; i < fan_.count; ++i) {
+    uint32_t wedge;
+    if (!childWedge(scratch_.wedge[i] - first_parent_wedge_, scratch_.at_b[i], &wedge)) return kCheckPick;
+    out_->face_wedges[fan_.corner[i]] = wedge;
+    linkCorner(out_, fan_.corner[i]);
+  }
+  return 0;
+}
+
+uint32_t SplitDecoder::addFaces() {
+  if (face_count_ > plan_.face_count - out_->face_count) return kCheckCounts;
+  if (!listed_) {
+    for (uint32_t i = 0; i < face_count_; ++i)
+      if (const uint32_t check = addFace(ring_faces_[i])) return check;
+    return 0;
+  }
+  uint32_t* sorted = scratch_.sorted;
+  memcpy(sorted, fan_.next, fan_.count * sizeof(uint32_t));
+  memcpy(sorted + fan_.count, fan_.previous, fan_.count * sizeof(uint32_t));
+  std::sort(sorted, sorted + 2 * fan_.count);
+  const uint32_t neighbours = static_cast<uint32_t>(std::unique(sorted, sorted + 2 * fan_.count) - sorted);
+  for (uint32_t i = 0; i < face_count_; ++i) {
+    const int32_t orientation = streams_->values[format::kGeneral][0].next();
+    NewFace face{0, orientation == 0, kNoIndex, false};
+    if (orientation > 1) return kCheckGeneral;
+    if (const uint32_t check = listedNode(neighbours, &face.third)) return check;
+    if (const uint32_t check = addFace(face)) return check;
+  }
+  return 0;
+}
+
+uint32_t SplitDecoder::addFace(const NewFace& face) {
+  const uint32_t child_a = out_->node_count - 2;
+  if (face.third >= child_a || out_->node_first_child[face.third] != kNoIndex) return kCheckFace;
+  const uint32_t parent = out_->node_parent[child_a];
+  const uint32_t class_count = out_->node_first_wedge[parent + 1] - first_parent_wedge_;
+  uint32_t guessed_class = kNoIndex, guessed_third = kNoIndex;
+  if (face.beside != kNoIndex) {
+    guessed_class = scratch_.wedge[face.beside] - first_parent_wedge_;
+    const uint32_t corner = fan_.corner[face.beside], k = corner % 3;
+    guessed_third = out_->face_wedges[corner - k + (k + (face.beside_ends ? 2 : 1)) % 3];
+  }
+  const uint32_t class_symbol = class_count > 1 ? pick(class_count) : 1;
+  const uint32_t wedge_class = class_symbol == 0 ? guessed_class : class_symbol - 1;
+  if (wedge_class >= class_count) return kCheckPick;
+  uint32_t wedges[3];
+  if (!childWedge(wedge_class, !face.first_is_a, &wedges[0]) || !childWedge(wedge_class, face.first_is_a, &wedges[2]))
+    return kCheckPick;
+  const uint32_t third_first = out_->node_first_wedge[face.third];
+  const uint32_t third_count = out_->node_first_wedge[face.third + 1] - third_first;
+  const uint32_t third_symbol = third_count > 1 ? pick(third_count) : 1;
+  wedges[1] = third_symbol == 0 ? guessed_third : third_first + third_symbol - 1;
+  if (wedges[1] - third_first >= third_count) return kCheckPick;
+  if (out_->wedge_part[wedges[1]] != out_->wedge_part[wedges[0]]) return kCheckPick;
+  const uint32_t first_corner = 3 * out_->face_count;
+  for (uint32_t k = 0; k < 3; ++k) {
+    out_->face_wedges[first_corner + k] = wedges[k];
+    linkCorner(out_, first_corner + k);
+  }
+  ++out_->face_count;
+  return 0;
+}
+
+namespace {
+
+struct WeightEntry {
+  uint32_t joint;
+  int32_t weight;
+};
+
+/// Keeps the positive weights in the order of a skin. Returns false when they are no skin.
+bool makeSkin(const PageFormat& format, WeightEntry* entries, uint32_t count, NodeSkin* skin) {
+  uint32_t kept = 0;
+  int64_t sum = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    if (entries[i].weight < 0) return false;
+    if (entries[i].weight > 0) entries[kept++] = entries[i];
+  }
+  if (kept == 0 || kept > format.max_influences) return false;
+  std::sort(entries, entries + kept, [](const WeightEntry& x, const WeightEntry& y) {
+    return x.weight != y.weight ? x.weight > y.weight : x.joint < y.joint;
+  });
+  *skin = {};
+  skin->count = static_cast<uint8_t>(kept);
+  for (uint32_t i = 0; i < kept; ++i) {
+    if (static_cast<uint32_t>(entries[i].weight) > format.weight_one) return false;
+    skin->joint[i] = static_cast<uint16_t>(entries[i].joint);
+    skin->weight[i] = static_cast<uint16_t>(entries[i].weight);
+    sum += entries[i].weight;
+  }
+  return sum == format.weight_one && skinIsOrdered(*skin);
+}
+
+}  // namespace
+
+uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
+  const NodeSkin parent = out_->node_skin[node];
+  NodeSkin* skins = out_->node_skin + (out_->node_count - 2);
+  if (mode == format::kSkinSame) {
+    skins[0] = skins[1] = parent;
+    return 0;
+  }
+  IntReader& news = streams_->values[format::kSkinNew][0];
+  uint32_t joints[format::kMaxSkinJoints];
+  const uint32_t new_count = static_cast<uint32_t>(news.next());
+  if (new_count > format::kMaxSkinJoints - parent.count) return kCheckChildSkin;
+  const uint32_t count = parent.count + new_count;
+  for (uint32_t i = 0; i < count; ++i) {
+    joints[i] = i < parent.count ? parent.joint[i] : static_cast<uint32_t>(news.next());
+    if (joints[i] >= format_.joint_count) return kCheckChildSkin;
+  }
+  WeightEntry a[format::kMaxSkinJoints] = {}, b[format::kMaxSkinJoints] = {};
+  const int32_t one = static_cast<int32_t>(format_.weight_one);
+  int32_t last_d = 0, sum_b = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const bool last = i + 1 == count;
+    const int32_t of_parent = i < parent.count ? parent.weight[i] : 0;
+    const int32_t d = last ? last_d : streams_->values[format::kSkinD][0].next();
+    int32_t of_b;
+    if (mode == format::kSkinRule)
+      of_b = of_parent - format::eighths(d, t8);
+    else
+      of_b = last ? one - sum_b : of_parent + streams_->values[format::kSkinE][0].next();
+    last_d -= last ? 0 : d;
+    sum_b += of_b;
+    a[i] = {joints[i], d};
+    b[i] = {joints[i], of_b};
+  }
+  if (mode == format::kSkinRule) b[0].weight += one - sum_b;
+  for (uint32_t i = 0; i < count; ++i) a[i].weight += b[i].weight;
+  if (!makeSkin(format_, a, count, &skins[0]) || !makeSkin(format_, b, count, &skins[1])) return kCheckChildSkin;
+  return 0;
+}
+
+}  // namespace lithe::runtime

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// Applies the splits of a page, one after the other, to the current cut.
+#pragma once
+
+#include "lithe/format/placement.h"
+#include "page_streams.h"
+#include "skin_order.h"
+
+namespace lithe::runtime {
+
+/// What the children of a split node get for one of its wedges.
+struct WedgeClass {
+  uint32_t first_a, first_b;  ///< first wedge at either child
+  uint32_t count_a, count_b;
+};
+
+/// Memory for the node that is being split: max_fan entries each.
+struct FanScratch {
+  uint32_t capacity;
+  uint32_t* corner;
+  uint32_t* next;
+  uint32_t* previous;
+  uint32_t* wedge;      ///< the corner's wedge at the split node, before it moves
+  WedgeClass* classes;  ///< per wedge of the split node
+  uint32_t* sorted;     ///< 2 * capacity: the neighbours, for lists that name them by rank
+  uint8_t* at_b;
+};
+
+class SplitDecoder {
+ public:
+  SplitDecoder(const PageFormat& format, const PagePlan& plan, PageStreams* streams, const FanScratch& scratch,
+               Decoded* decoded);
+
+  /// Visits nodes from *cursor on until the page's nodes are all there (and, at the end of a level, until every node
+  /// has been visited). Returns the check that failed, 0 when all is well.
+  uint32_t run(uint32_t* cursor);
+
+ private:
+  struct NewFace {
+    uint32_t third;  ///< node between the two children, on the far corner
+    bool first_is_a;
+    uint32_t beside;   ///< fan entry beside the cut whose wedges are the guess; kNoIndex: none
+    bool beside_ends;  ///< the third node is that face's previous corner (else its next)
+  };
+
+  uint32_t splitNode(uint32_t node);
+  bool gatherFan(uint32_t node);
+  uint32_t readRing(int32_t mode);
+  uint32_t readList();
+  uint32_t listedNode(uint32_t neighbour_count, uint32_t* node);
+  uint32_t placeChildren(uint32_t node, int32_t t8);
+  uint32_t readClasses(uint32_t node);
+  uint32_t readAttributes(uint32_t node, int32_t t8);
+  bool readDirection(IntReader* high, uint32_t shift, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
+  uint32_t moveFan();
+  uint32_t addFaces();
+  uint32_t addFace(const NewFace& face);
+  uint32_t readSkins(uint32_t node, int32_t mode, int32_t t8);
+  uint32_t pick(uint32_t count);
+  bool childWedge(uint32_t wedge_class, bool at_b, uint32_t* wedge);
+  int32_t residual(IntReader* high, int32_t low) {
+    const uint32_t bits = streams_->low_bits.next(low);
+    return static_cast<int32_t>((static_cast<uint32_t>(high->next()) << low) | bits);
+  }
+
+  const PageFormat& format_;
+  const PagePlan& plan_;
+  PageStreams* streams_;
+  FanScratch scratch_;
+  Decoded* out_;
+  int64_t greatest_[kMaxStride];
+
+  // The split being applied.
+  format::Fan fan_{};
+  format::Ring ring_{};
+  NewFace ring_faces_[2]{};
+  uint32_t face_count_ = 0;
+  bool listed_ = false;  ///< sides and faces come from kGeneral
+  uint32_t extent_ = 0;  ///< of D, for the uvs' low bits
+  uint64_t work_ = 0;
+
+  uint32_t first_parent_wedge_ = 0;
+};
+
+}  // namespace lithe::runtime
