@@ -13,7 +13,7 @@ for command in bake info export compare verify generate; do
 done
 
 answers 2 "see lithe --help"
-answers 2 "see lithe --help" cook hero.glb
+answers 2 "there is no command 'cook' (see lithe --help)" cook hero.glb
 answers 2 "--output is required" bake hero.glb
 answers 2 "--max-influences" bake hero.glb -o hero.lithe --max-influences 9
 answers 2 "--max-influences" bake hero.glb -o hero.lithe --max-influences none
@@ -21,8 +21,8 @@ answers 2 "--metric" bake hero.glb -o hero.lithe --metric best
 answers 2 "--position-bits" bake hero.glb -o hero.lithe --position-bits 40
 answers 2 "--attributes" bake hero.glb -o hero.lithe --attributes normal,smell
 answers 2 "dragon" generate dragon -o dragon.glb
-answers 2 "exactly 1" export hero.lithe -o hero.glb
-answers 2 "exactly 1" export hero.lithe -o hero.glb --level 1 --ratio 0.5
+answers 2 "Exactly 1" export hero.lithe -o hero.glb
+answers 2 "Exactly 1" export hero.lithe -o hero.glb --level 1 --ratio 0.5
 answers 2 "--ratio" export hero.lithe -o hero.glb --ratio 1.5
 answers 2 "--phase" compare a.glb b.glb --phase late
 answers 2 "--samples" compare a.glb b.glb --samples 0

@@ -4,7 +4,6 @@
 #include "lithe/bake/compare.h"
 
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -47,8 +46,6 @@ ExitCode compare(const CompareArguments& arguments) {
 }
 
 void addOptions(CLI::App& command, CompareArguments& arguments) {
-  const std::map<std::string, bake::FramePhase> phases{{"mid", bake::FramePhase::kMid},
-                                                       {"ends", bake::FramePhase::kEnds}};
   bake::CompareOptions& options = arguments.options;
   command.add_option("original", arguments.original, "The full character, .glb or .gltf")->required();
   command.add_option("simplified", arguments.simplified, "The one to measure against it")->required();
@@ -57,10 +54,13 @@ void addOptions(CLI::App& command, CompareArguments& arguments) {
       ->capture_default_str();
   command.add_option("--frames", options.frames, "Frames over all clips; 0: every clip at 30 a second")
       ->capture_default_str();
+  const auto setPhase = [&options](const std::string& name) {
+    options.phase = name == "mid" ? bake::FramePhase::kMid : bake::FramePhase::kEnds;
+  };
   command
-      .add_option("--phase", options.phase,
-                  "Frames in the middle of equal slices (mid), or from first to last key (ends)")
-      ->transform(CLI::CheckedTransformer(phases).description("{mid,ends}"))
+      .add_option_function<std::string>("--phase", setPhase,
+                                        "Frames in the middle of equal slices (mid), or from first to last key (ends)")
+      ->check(CLI::IsMember({"mid", "ends"}))
       ->default_str("mid");
   command.add_option("--samples", options.samples, "Points per frame and direction")
       ->check(CLI::Range(1u, 10000000u))

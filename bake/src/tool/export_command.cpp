@@ -92,7 +92,7 @@ void addExportCommand(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("export", "Write a level, or any triangle count, as plain skinned glTF");
   command->add_option("file", options->file, "The .lithe file")->required();
   command->add_option("-o,--output", options->output, "The .glb or .gltf to write")->required();
-  CLI::Option_group* what = command->add_option_group("What to write (exactly one)");
+  CLI::Option_group* what = command->add_option_group("What to write", "One of these:");
   what->add_option("--triangles", options->triangles, "The cut closest to this many triangles")
       ->check(CLI::PositiveNumber);
   what->add_option("--ratio", options->ratio, "The same, as a share of the finest level")->check(CLI::Range(0.0, 1.0));

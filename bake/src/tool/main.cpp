@@ -34,6 +34,12 @@ ExitCode answerParser(const CLI::App& app, const CLI::ParseError& error) {
   return kBadUsage;
 }
 
+/// The parser would only say that a command is missing.
+bool isUnknownCommand(const CLI::App& app, const std::string& word) {
+  const auto isNamedSo = [&](const CLI::App* command) { return command->get_name() == word; };
+  return !word.empty() && word[0] != '-' && app.get_subcommands(isNamedSo).empty();
+}
+
 ExitCode run(const Action& action) {
   try {
     return action();
@@ -59,6 +65,10 @@ int main(int argc, char** argv) {
   addCompareCommand(app, action);
   addVerifyCommand(app, action);
   addGenerateCommand(app, action);
+  if (argc > 1 && isUnknownCommand(app, argv[1])) {
+    std::fprintf(stderr, "lithe: there is no command '%s' (see lithe --help)\n", argv[1]);
+    return kBadUsage;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
