@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "collapser.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace lithe::bake {
+
+namespace {
+
+// Flat and rigid regions cost nothing anywhere: without a preference for short edges they would be eaten from one
+// vertex.
+constexpr double kTieBreak = 1e-7;
+constexpr uint32_t kHub = 24;                  // triangles: more at one node make slivers and slow everything down
+constexpr uint32_t kNeverJudged = 0xffffffff;  // no sum of versions
+
+NodeState nodeState(const Mesh& mesh, const std::vector<std::vector<glm::dmat4>>& palettes,
+                    const SimplifyOptions& options) {
+  return {mesh.grid.bits, options.placement_shift, mesh.weight_one, mesh.max_influences, mesh.positions,
+          mesh.skins,     poseMesh(mesh, palettes)};
+}
+
+Surface classifiedSurface(const Mesh& mesh, const PosedMesh& posed) {
+  Surface surface(mesh);
+  surface.classifyEdges(posed);
+  return surface;
+}
+
+/// Runs job(begin, end) over [0, count) in as many pieces as there are threads.
+template <class Job>
+void inParallel(uint32_t count, uint32_t threads, const Job& job) {
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  threads = std::max(1u, std::min(threads, count / 256));
+  std::vector<std::thread> workers;
+  for (uint32_t i = 1; i < threads; ++i) {
+    workers.emplace_back([&, i] {
+      job(static_cast<uint32_t>(uint64_t{count} * i / threads),
+          static_cast<uint32_t>(uint64_t{count} * (i + 1) / threads));
+    });
+  }
+  job(0, count / threads);
+  for (std::thread& worker : workers) worker.join();
+}
+
+}  // namespace
+
+Collapser::Collapser(const Mesh& mesh, const std::vector<std::vector<glm::dmat4>>& palettes,
+                     const SimplifyOptions& options)
+    : options_(options),
+      nodes_(nodeState(mesh, palettes, options)),
+      surface_(classifiedSurface(mesh, nodes_.posed)),
+      components_(surface_, nodes_.posed),
+      edges_(surface_, mesh.vertexCount()),
+      queue_(edges_.count()),
+      metric_(makeMetric({nodes_, surface_, options_})),
+      placer_(nodes_),
+      version_(mesh.vertexCount(), 0),
+      blocked_at_(mesh.vertexCount(), 0),
+      placement_(edges_.count()),
+      stamp_(edges_.count(), kNeverJudged),
+      blocked_(edges_.count(), 0),
+      next_node_(mesh.vertexCount()),
+      first_triangles_(surface_.triangleCount()) {
+  node_of_.resize(mesh.vertexCount());
+  for (uint32_t slot = 0; slot < mesh.vertexCount(); ++slot) node_of_[slot] = slot;
+}
+
+void Collapser::placeAllEdges() {
+  inParallel(static_cast<uint32_t>(node_of_.size()), options_.threads, [&](uint32_t begin, uint32_t end) {
+    std::vector<FanFace> fan;
+    for (uint32_t slot = begin; slot < end; ++slot) metric_->refresh(slot, fan);
+  });
+  inParallel(edges_.count(), options_.threads, [&](uint32_t begin, uint32_t end) {
+    EdgePlacer placer(nodes_);
+    for (uint32_t edge = begin; edge < end; ++edge) placeEdge(edge, placer);
+  });
+  for (uint32_t edge = 0; edge < edges_.count(); ++edge) queue_.set(edge, placement_[edge].cost);
+}
+
+void Collapser::placeEdge(uint32_t edge, EdgePlacer& placer) {
+  const auto [a, b] = edges_.ends[edge];
+  placement_[edge] = metric_->place(a, b, placer);
+  placement_[edge].cost += tieBreak(a, b);
+  stamp_[edge] = stampOf(edge);
+}
+
+double Collapser::tieBreak(uint32_t a, uint32_t b) const {
+  const PosedMesh& posed = nodes_.posed;
+  const double sum = squaredDistances(posed.at(a), posed.at(b), posed.blocks);
+  return kTieBreak * sum * sum / posed.pose_count;
+}
+
+void Collapser::judgeAgain(uint32_t edge) {
+  for (uint32_t slot : edges_.ends[edge]) metric_->refresh(slot, fan_);
+  placeEdge(edge, placer_);
+}
+
+bool Collapser::collapseNext(Collapse& collapse) {
+  for (;;) {
+    if (queue_.empty() && !refill()) return false;
+    const uint32_t edge = queue_.top();
+    if (isStale(edge)) {
+      judgeAgain(edge);
+      queue_.set(edge, placement_[edge].cost);
+      continue;
+    }
+    const double loss = lossOf(edge);
+    if (queue_.key(edge) < loss) {
+      queue_.set(edge, loss);
+      continue;
+    }
+    judgeAgain(edge);  // for the posed position, which is not kept per edge
+    if (!mayCollapse(edge)) {
+      block(edge);
+      continue;
+    }
+    const auto [a, b] = edges_.ends[edge];
+    Placement placement = placement_[edge];
+    QuantizedSkin skin = placer_.skinBetween(a, b, placement.t8);
+    metric_->improveSkin(a, b, placer_, placement, skin);
+    placement.cost = std::max(placement.cost, loss);
+    record(edge, placement, skin, collapse);
+    moveNode(a, b, placement, skin);
+    collapse.triangles = surface_.triangleCount();
+    lowerVanishCosts();
+    return true;
+  }
+}
+
+double Collapser::lossOf(uint32_t edge) {
+  const auto [a, b] = edges_.ends[edge];
+  if (!surface_.wouldOrphan(a, b)) return 0.0;
+  return (coarse_ ? options_.vanish_factor_coarse : options_.vanish_factor) * components_.lossOf(a);
+}
+
+bool Collapser::mayCollapse(uint32_t edge) {
+  const auto [a, b] = edges_.ends[edge];
+  return relaxed_ || !(growsHub(a, b) || turnsOver(a, b) || turnsOver(b, a));
+}
+
+bool Collapser::turnsOver(uint32_t from, uint32_t other) const {
+  const EdgeWeights none{SimplifyOptions{}};
+  for (uint32_t id : surface_.facesAt(from)) {
+    const Face& face = surface_.face(id);
+    if (face.has(other)) continue;
+    if (countFlips(fanFace(face, from, nodes_.posed, none), placer_.posed.data(), nodes_.posed.blocks) > 0) return true;
+  }
+  return false;
+}
+
+bool Collapser::growsHub(uint32_t a, uint32_t b) const {
+  const auto before = static_cast<uint32_t>(std::max(surface_.facesAt(a).size(), surface_.facesAt(b).size()));
+  return surface_.valenceAfter(a, b) > std::max(kHub, before);
+}
+
+void Collapser::block(uint32_t edge) {
+  blocked_[edge] = 1;
+  for (uint32_t slot : edges_.ends[edge]) ++blocked_at_[slot];
+  queue_.remove(edge);
+}
+
+void Collapser::unblockAround(uint32_t slot) {
+  if (blocked_at_[slot] == 0) return;
+  for (uint32_t edge : edges_.at[slot]) {
+    if (!blocked_[edge]) continue;
+    blocked_[edge] = 0;
+    for (uint32_t end : edges_.ends[edge]) --blocked_at_[end];
+    queue_.set(edge, queue_.key(edge));
+  }
+}
+
+bool Collapser::refill() {
+  relaxed_ = true;
+  for (uint32_t slot = 0; slot < node_of_.size(); ++slot) unblockAround(slot);
+  return !queue_.empty();
+}
+
+void Collapser::lowerVanishCosts() {
+  if (coarse_ || surface_.triangleCount() > options_.vanish_coarse * first_triangles_) return;
+  coarse_ = true;
+  for (uint32_t edge = 0; edge < edges_.count(); ++edge) {
+    if (queue_.contains(edge)) queue_.set(edge, std::min(queue_.key(edge), placement_[edge].cost));
+  }
+}
+
+void Collapser::record(uint32_t edge, const Placement& placement, const QuantizedSkin& skin, Collapse& collapse) {
+  const auto [a, b] = edges_.ends[edge];
+  const double unit2 = nodes_.posed.unit * nodes_.posed.unit;
+  collapse.child[0] = node_of_[a];
+  collapse.child[1] = node_of_[b];
+  collapse.position = placement.position;
+  collapse.skin = skin;
+  collapse.t8 = static_cast<uint8_t>(placement.t8);
+  collapse.cost = placement.cost * unit2 * unit2;
+}
+
+void Collapser::moveNode(uint32_t a, uint32_t b, const Placement& placement, const QuantizedSkin& skin) {
+  metric_->merge(a, b, placement, placer_.posed.data());
+  nodes_.positions[a] = placement.position;
+  nodes_.skins[a] = skin;
+  std::copy(placer_.posed.begin(), placer_.posed.end(), nodes_.posed.at(a));
+  node_of_[a] = next_node_++;
+  surface_.collapse(a, b, thirds_);
+  joinEdges(a, b);
+  cutLooseEdges(a);
+  surface_.classifyAround(a, nodes_.posed);
+  refreshAround(a);
+}
+
+/// b's edges become a's; of two edges to one node the cheaper stays.
+void Collapser::joinEdges(uint32_t a, uint32_t b) {
+  const std::span<const uint32_t> at_b = edges_.at[b];
+  scratch_.assign(at_b.begin(), at_b.end());
+  std::vector<uint32_t>& joined = scratch_;
+  const size_t from_b = joined.size();
+  size_t kept = 0;
+  for (size_t i = 0; i < from_b; ++i) {
+    const uint32_t edge = joined[i], far = edges_.other(edge, b);
+    const uint32_t twin = far == a ? kNone : edges_.find(a, far);
+    if (far == a || twin != kNone) {
+      if (twin != kNone && queue_.contains(twin) && queue_.contains(edge) && queue_.key(edge) < queue_.key(twin)) {
+        queue_.set(twin, queue_.key(edge));
+      }
+      dropEdge(edge);
+      continue;
+    }
+    edges_.ends[edge] = {std::min(a, far), std::max(a, far)};
+    if (blocked_[edge]) {
+      --blocked_at_[b];
+      ++blocked_at_[a];
+    }
+    joined[kept++] = edge;
+  }
+  joined.resize(kept);
+  const std::span<const uint32_t> at_a = edges_.at[a];
+  joined.insert(joined.begin(), at_a.begin(), at_a.end());
+  edges_.at.assign(a, joined);
+  edges_.at.assign(b, {});
+}
+
+void Collapser::cutLooseEdges(uint32_t a) {
+  for (uint32_t third : thirds_) {
+    const uint32_t edge = edges_.find(a, third);
+    if (edge != kNone && !surface_.hasEdge(a, third)) dropEdge(edge);
+    ++version_[third];
+    metric_->invalidate(third);
+    unblockAround(third);
+  }
+}
+
+void Collapser::refreshAround(uint32_t a) {
+  ++version_[a];
+  metric_->invalidate(a);
+  unblockAround(a);
+  for (uint32_t edge : edges_.at[a]) {
+    const uint32_t far = edges_.other(edge, a);
+    ++version_[far];
+    metric_->invalidate(far);
+    unblockAround(far);
+    stamp_[edge] = kNeverJudged;
+  }
+}
+
+void Collapser::dropEdge(uint32_t edge) {
+  if (blocked_[edge]) {
+    blocked_[edge] = 0;
+    for (uint32_t slot : edges_.ends[edge]) --blocked_at_[slot];
+  }
+  queue_.remove(edge);
+  edges_.remove(edge);
+}
+
+}  // namespace lithe::bake

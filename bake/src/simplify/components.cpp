@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "components.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lithe::bake {
+
+namespace {
+
+constexpr uint32_t kSampledFaces = 300;
+constexpr uint32_t kLeafFaces = 8;
+
+uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t slot) {
+  while (parent[slot] != slot) slot = parent[slot] = parent[parent[slot]];
+  return slot;
+}
+
+/// Per slot the number of its component, by lowest slot.
+std::vector<uint32_t> labelComponents(const Surface& surface, uint32_t slot_count, uint32_t& component_count) {
+  std::vector<uint32_t> parent(slot_count);
+  std::iota(parent.begin(), parent.end(), 0u);
+  for (uint32_t id = 0; id < surface.faceCount(); ++id) {
+    const Face& f = surface.face(id);
+    for (uint32_t k = 1; k < 3; ++k) {
+      const uint32_t a = rootOf(parent, f.corner[0]), b = rootOf(parent, f.corner[k]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<uint32_t> label(slot_count);
+  component_count = 0;
+  for (uint32_t slot = 0; slot < slot_count; ++slot) {
+    const uint32_t root = rootOf(parent, slot);
+    label[slot] = root == slot ? component_count++ : label[root];
+  }
+  return label;
+}
+
+double squaredDistanceToBox(const glm::vec3& point, const glm::vec3& lower, const glm::vec3& upper) {
+  const glm::dvec3 outside(glm::max(glm::max(lower - point, point - upper), glm::vec3(0.0f)));
+  return glm::dot(outside, outside);
+}
+
+double squaredDistanceToSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 edge = b - a;
+  const double length2 = glm::dot(edge, edge);
+  const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, edge) / length2, 0.0, 1.0) : 0.0;
+  const glm::dvec3 offset = p - a - t * edge;
+  return glm::dot(offset, offset);
+}
+
+/// To the plane where the foot point lies inside, else to the nearest side.
+double squaredDistanceToTriangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const glm::dvec3 n = glm::cross(b - a, c - a);
+  const bool inside = glm::dot(glm::cross(b - a, p - a), n) >= 0.0 && glm::dot(glm::cross(c - b, p - b), n) >= 0.0 &&
+                      glm::dot(glm::cross(a - c, p - c), n) >= 0.0;
+  const double n2 = glm::dot(n, n);
+  if (inside && n2 > 0.0) {
+    const double height = glm::dot(p - a, n);
+    return height * height / n2;
+  }
+  return std::min(
+      {squaredDistanceToSegment(p, a, b), squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)});
+}
+
+glm::vec3 firstPose(const PosedMesh& posed, uint32_t slot) {
+  const PosedPoint& p = posed.at(slot)[0];
+  return {p.x[0], p.y[0], p.z[0]};
+}
+
+}  // namespace
+
+Components::Components(const Surface& surface, const PosedMesh& posed) : pose_count_(posed.pose_count) {
+  uint32_t count = 0;
+  component_ = labelComponents(surface, static_cast<uint32_t>(posed.positions.size() / posed.blocks), count);
+  loss_.assign(count, -1.0);
+  for (uint32_t id = 0; id < surface.faceCount(); ++id) {
+    const auto& corner = surface.face(id).corner;
+    triangles_.push_back(
+        {firstPose(posed, corner[0]), firstPose(posed, corner[1]), firstPose(posed, corner[2]), component_[corner[0]]});
+  }
+  sorted_.resize(triangles_.size());
+  std::iota(sorted_.begin(), sorted_.end(), 0u);
+  buildBox(0, static_cast<uint32_t>(sorted_.size()));
+
+  first_.assign(count + 1, 0);
+  for (const Triangle& t : triangles_) ++first_[t.component + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  members_.resize(triangles_.size());
+  std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
+  for (uint32_t i = 0; i < triangles_.size(); ++i) members_[next[triangles_[i].component]++] = i;
+}
+
+uint32_t Components::buildBox(uint32_t begin, uint32_t end) {
+  const auto id = static_cast<uint32_t>(boxes_.size());
+  const Triangle& first = triangles_[sorted_[begin]];
+  Box box{first.a, first.a, begin, end, kNone, kNone, first.component};
+  for (uint32_t i = begin; i < end; ++i) {
+    const Triangle& t = triangles_[sorted_[i]];
+    box.lower = glm::min(box.lower, glm::min(t.a, glm::min(t.b, t.c)));
+    box.upper = glm::max(box.upper, glm::max(t.a, glm::max(t.b, t.c)));
+    if (t.component != box.only_component) box.only_component = kNone;
+  }
+  boxes_.push_back(box);
+  if (end - begin <= kLeafFaces) return id;
+
+  const glm::vec3 extent = box.upper - box.lower;
+  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+  const uint32_t middle = (begin + end) / 2;
+  const auto center = [&](uint32_t i) { return triangles_[i].a[axis] + triangles_[i].b[axis] + triangles_[i].c[axis]; };
+  std::nth_element(sorted_.begin() + begin, sorted_.begin() + middle, sorted_.begin() + end,
+                   [&](uint32_t s, uint32_t t) { return center(s) != center(t) ? center(s) < center(t) : s < t; });
+  const uint32_t left = buildBox(begin, middle), right = buildBox(middle, end);
+  boxes_[id].left = left;
+  boxes_[id].right = right;
+  return id;
+}
+
+double Components::squaredDistanceToOthers(const glm::vec3& point, uint32_t component) const {
+  double nearest = 1.0;  // the posed diagonal, squared
+  std::vector<uint32_t> stack{0};
+  while (!stack.empty()) {
+    const Box& box = boxes_[stack.back()];
+    stack.pop_back();
+    if (box.only_component == component || squaredDistanceToBox(point, box.lower, box.upper) >= nearest) continue;
+    if (box.left == kNone) {
+      for (uint32_t i = box.begin; i < box.end; ++i) {
+        const Triangle& t = triangles_[sorted_[i]];
+        if (t.component != component) nearest = std::min(nearest, squaredDistanceToTriangle(point, t.a, t.b, t.c));
+      }
+      continue;
+    }
+    const Box &left = boxes_[box.left], &right = boxes_[box.right];
+    const bool left_first =
+        squaredDistanceToBox(point, left.lower, left.upper) <= squaredDistanceToBox(point, right.lower, right.upper);
+    stack.push_back(left_first ? box.right : box.left);
+    stack.push_back(left_first ? box.left : box.right);
+  }
+  return nearest;
+}
+
+double Components::lossOf(uint32_t slot) {
+  const uint32_t component = component_[slot];
+  if (loss_[component] >= 0.0) return loss_[component];
+  const uint32_t count = first_[component + 1] - first_[component];
+  const uint32_t stride = (count + kSampledFaces - 1) / kSampledFaces;
+  double weighted = 0.0, sampled_area = 0.0, area = 0.0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const Triangle& t = triangles_[members_[first_[component] + i]];
+    const double face_area = 0.5 * glm::length(glm::cross(glm::dvec3(t.b - t.a), glm::dvec3(t.c - t.a)));
+    area += face_area;
+    if (i % stride != 0) continue;
+    sampled_area += face_area;
+    weighted += face_area * squaredDistanceToOthers((t.a + t.b + t.c) / 3.0f, component);
+  }
+  const double mean = sampled_area > 0.0 ? weighted / sampled_area : 0.0;
+  return loss_[component] = pose_count_ * area * mean;
+}
+
+}  // namespace lithe::bake

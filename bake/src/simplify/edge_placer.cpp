@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "edge_placer.h"
+
+#include <algorithm>
+#include <array>
+
+#include "lithe/bake/simplex.h"
+#include "lithe/bake/skin_weights.h"
+
+namespace lithe::bake {
+
+namespace {
+
+constexpr double kStay = 1e-4;  // of the trace: holds the parent where the quadric says nothing
+constexpr uint32_t kMaxAlternations = 4;
+
+/// (H + kStay trace I)^-1 (-g), by cofactors in doubles.
+glm::dvec3 solveStep(const NormalEquations& n) {
+  const double stay = kStay * (double{n.xx} + n.yy + n.zz);
+  if (!(stay > 0.0)) return glm::dvec3(0.0);
+  const double xx = n.xx + stay, yy = n.yy + stay, zz = n.zz + stay, xy = n.xy, xz = n.xz, yz = n.yz;
+  const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
+  const double cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
+  const double determinant = xx * cxx + xy * cxy + xz * cxz;
+  if (!(determinant > 0.0)) return glm::dvec3(0.0);
+  const glm::dvec3 g(n.gx, n.gy, n.gz);
+  return -glm::dvec3(cxx * g.x + cxy * g.y + cxz * g.z, cxy * g.x + cyy * g.y + cyz * g.z,
+                     cxz * g.x + cyz * g.y + czz * g.z) /
+         determinant;
+}
+
+/// The joints of both skins, a's first.
+std::vector<uint16_t> unionOf(const QuantizedSkin& a, const QuantizedSkin& b) {
+  std::vector<uint16_t> joints(a.joint.begin(), a.joint.begin() + a.count);
+  for (uint32_t k = 0; k < b.count; ++k) {
+    if (std::find(joints.begin(), joints.end(), b.joint[k]) == joints.end()) joints.push_back(b.joint[k]);
+  }
+  return joints;
+}
+
+}  // namespace
+
+QuantizedSkin EdgePlacer::skinBetween(uint32_t a, uint32_t b, int32_t t8) const {
+  return interpolateSkin(nodes_.skins[a], nodes_.skins[b], t8, nodes_.weight_one, nodes_.max_influences);
+}
+
+double EdgePlacer::energyIn(const glm::dvec3& grid_point, const Affine* blend, uint32_t a,
+                            std::vector<PosedPoint>& result) {
+  transformPoint(blend, nodes_.posed.blocks, glm::vec3(grid_point), result.data());
+  return std::max(0.0f, energy(quadric.data(), nodes_.posed.at(a), result.data(), nodes_.posed.blocks));
+}
+
+glm::dvec3 EdgePlacer::minimizer(const glm::dvec3& from, const Affine* blend, uint32_t a,
+                                 const std::vector<PosedPoint>& at) const {
+  return from + solveStep(normalEquations(quadric.data(), blend, nodes_.posed.at(a), at.data(), nodes_.posed.blocks));
+}
+
+void EdgePlacer::poseBetween(uint32_t a, uint32_t b, const Placement& placement) {
+  const Affine* blend = blendSkin(nodes_.posed, skinBetween(a, b, placement.t8), blend_.data());
+  transformPoint(blend, nodes_.posed.blocks, glm::vec3(placement.position), posed.data());
+}
+
+Placement EdgePlacer::placeAtEnd(uint32_t a, uint32_t b) {
+  const uint32_t blocks = nodes_.posed.blocks;
+  const PosedPoint* origin = nodes_.posed.at(a);
+  const double at_a = std::max(0.0f, energy(quadric.data(), origin, origin, blocks));
+  const double at_b = std::max(0.0f, energy(quadric.data(), origin, nodes_.posed.at(b), blocks));
+  const uint32_t end = at_b < at_a ? b : a;
+  std::copy_n(nodes_.posed.at(end), blocks, posed.begin());
+  return {nodes_.positions[end], end == a ? 0 : 8, std::min(at_a, at_b)};
+}
+
+Placement EdgePlacer::placeFreely(uint32_t a, uint32_t b) {
+  const Segment segment(nodes_.positions[a], nodes_.positions[b], nodes_.placement_shift, nodes_.grid_bits);
+  const bool one_skin = nodes_.skins[a] == nodes_.skins[b];
+  Placement best = bestStart(a, b, segment);
+  // With one skin the energy is a quadratic in the position: one step is all there is to gain.
+  for (uint32_t i = 0; i < (one_skin ? 1 : 2); ++i) {
+    if (!step(a, b, segment, one_skin, best)) break;
+  }
+  return best;
+}
+
+Placement EdgePlacer::bestStart(uint32_t a, uint32_t b, const Segment& segment) {
+  Placement best = placeAtEnd(a, b);
+  const Affine* blend = blendSkin(nodes_.posed, skinBetween(a, b, 4), blend_.data());
+  const glm::ivec3 middle = segment.point(4);
+  const double at_middle = energyIn(glm::dvec3(middle), blend, a, trial_);
+  if (at_middle <= best.cost) {
+    best = {middle, 4, at_middle};
+    posed.swap(trial_);
+  }
+  return best;
+}
+
+bool EdgePlacer::step(uint32_t a, uint32_t b, const Segment& segment, bool one_skin, Placement& best) {
+  int32_t t8 = best.t8;
+  const Affine* blend = blendSkin(nodes_.posed, skinBetween(a, b, t8), blend_.data());
+  glm::dvec3 x = minimizer(glm::dvec3(best.position), blend, a, posed);
+  const int32_t moved_t8 = segment.nearestEighth(x);
+  if (moved_t8 != t8 && !one_skin) {
+    blend = blendSkin(nodes_.posed, skinBetween(a, b, moved_t8), blend_.data());
+    transformPoint(blend, nodes_.posed.blocks, glm::vec3(x), trial_.data());
+    x = minimizer(x, blend, a, trial_);
+  }
+  t8 = moved_t8;
+  const glm::ivec3 position = segment.snap(x, t8);
+  const double cost = energyIn(glm::dvec3(position), blend, a, trial_);
+  if (!(cost < best.cost)) return false;
+  best = {position, t8, cost};
+  posed.swap(trial_);
+  return true;
+}
+
+QuantizedSkin EdgePlacer::weightStep(uint32_t a, const QuantizedSkin& start, const QuantizedSkin& skin_a,
+                                     const QuantizedSkin& skin_b, const glm::ivec3& position) {
+  const uint32_t blocks = nodes_.posed.blocks;
+  const std::vector<uint16_t> joints = unionOf(skin_a, skin_b);
+  const auto size = static_cast<uint32_t>(joints.size());
+  SimplexWeights weights{};
+  for (uint32_t i = 0; i < size; ++i) {
+    const Affine* matrices = nodes_.posed.palette.data() + size_t{joints[i]} * blocks;
+    transformPoint(matrices, blocks, glm::vec3(position), candidates_.data() + size_t{i} * blocks);
+    for (uint32_t k = 0; k < start.count; ++k) {
+      if (start.joint[k] == joints[i]) weights[i] = start.weight[k] / double(nodes_.weight_one);
+    }
+  }
+  std::array<double, 256> matrix;
+  WeightObjective objective;
+  objective.size = size;
+  weightTerms(quadric.data(), nodes_.posed.at(a), candidates_.data(), size, blocks, matrix.data(), objective.h.data());
+  for (uint32_t i = 0; i < size; ++i) {
+    for (uint32_t k = 0; k < size; ++k) objective.H[i][k] = matrix[i * size + k];
+  }
+  weights = minimizeOnSimplexCapped(objective, weights, naturalProximity(objective), nodes_.max_influences);
+  return quantizeSkin(joints, {weights.data(), size}, nodes_.weight_one);
+}
+
+void EdgePlacer::optimizeSkin(uint32_t a, uint32_t b, double gain, Placement& placement, QuantizedSkin& skin) {
+  const Segment segment(nodes_.positions[a], nodes_.positions[b], nodes_.placement_shift, nodes_.grid_bits);
+  Placement best = placement;
+  QuantizedSkin best_skin = skin;
+  std::vector<PosedPoint> best_posed = posed, at = posed;
+  for (uint32_t i = 0; i < kMaxAlternations; ++i) {
+    const QuantizedSkin next_skin = weightStep(a, best_skin, nodes_.skins[a], nodes_.skins[b], best.position);
+    const Affine* blend = blendSkin(nodes_.posed, next_skin, blend_.data());
+    Placement next = best;
+    next.cost = energyIn(glm::dvec3(best.position), blend, a, at);
+    const glm::dvec3 x = minimizer(glm::dvec3(best.position), blend, a, at);
+    const int32_t t8 = segment.nearestEighth(x);
+    const glm::ivec3 position = segment.snap(x, t8);
+    const double moved_cost = energyIn(glm::dvec3(position), blend, a, trial_);
+    if (moved_cost < next.cost) {
+      next = {position, t8, moved_cost};
+      at.swap(trial_);
+    }
+    if (!(next.cost < best.cost * (1.0 - 0.1 * gain))) break;
+    best = next;
+    best_skin = next_skin;
+    best_posed = at;
+  }
+  if (best.cost < placement.cost * (1.0 - gain)) {
+    placement = best;
+    skin = best_skin;
+    posed = best_posed;
+  }
+}
+
+}  // namespace lithe::bake

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+// What one block of poses contributes: written once for both lane types, so that the array type specifies the vector
+// type.
+#pragma once
+
+#include "kernels.h"
+
+namespace lithe::bake {
+
+/// Adds weight * n n^T.
+template <class L>
+LITHE_INLINE void addNormal(SymmetricOf<L>& q, const Vec3<L>& n, const L& weight) {
+  const L wx = weight * n.x, wy = weight * n.y;
+  q.xx += wx * n.x;
+  q.xy += wx * n.y;
+  q.xz += wx * n.z;
+  q.yy += wy * n.y;
+  q.yz += wy * n.z;
+  q.zz += weight * n.z * n.z;
+}
+
+/// With m = edge x n the plane through the edge has the unit normal m / (|edge| |n|), so weight |edge|^2 / 2 / 2 needs
+/// no root.
+template <class L>
+LITHE_INLINE void addFanFace(SymmetricOf<L>& q, const Vec3<L>& corner, const Vec3<L>& next, const Vec3<L>& last,
+                             float next_weight, float last_weight) {
+  const Vec3<L> to_next = next - corner, to_last = last - corner;
+  const Vec3<L> n = cross(to_next, to_last);
+  const L n2 = dot(n, n);
+  addNormal(q, n, positiveReciprocal(squareRoot(n2)) * (0.5f / 3.0f));
+  if (next_weight > 0.0f) addNormal(q, cross(to_next, n), positiveReciprocal(n2) * (0.25f * next_weight));
+  if (last_weight > 0.0f) addNormal(q, cross(to_last, n), positiveReciprocal(n2) * (0.25f * last_weight));
+}
+
+template <class L>
+struct alignas(kLanesAlignment) NormalTerms {
+  L xx, xy, xz, yy, yz, zz;
+  L gx, gy, gz;
+};
+
+/// R^T A R and R^T (A r + b) for the linear part R of the blended matrix.
+template <class L>
+LITHE_INLINE void addNormalTerms(NormalTerms<L>& sum, const QuadricOf<L>& q, const L (&m)[3][4], const Vec3<L>& r) {
+  const Vec3<L> x{m[0][0], m[1][0], m[2][0]}, y{m[0][1], m[1][1], m[2][1]}, z{m[0][2], m[1][2], m[2][2]};
+  const Vec3<L> g = halfGradient(q, r);
+  const Vec3<L> ax{q.xx * x.x + q.xy * x.y + q.xz * x.z, q.xy * x.x + q.yy * x.y + q.yz * x.z,
+                   q.xz * x.x + q.yz * x.y + q.zz * x.z};
+  const Vec3<L> ay{q.xx * y.x + q.xy * y.y + q.xz * y.z, q.xy * y.x + q.yy * y.y + q.yz * y.z,
+                   q.xz * y.x + q.yz * y.y + q.zz * y.z};
+  const Vec3<L> az{q.xx * z.x + q.xy * z.y + q.xz * z.z, q.xy * z.x + q.yy * z.y + q.yz * z.z,
+                   q.xz * z.x + q.yz * z.y + q.zz * z.z};
+  sum.xx += dot(x, ax);
+  sum.xy += dot(x, ay);
+  sum.xz += dot(x, az);
+  sum.yy += dot(y, ay);
+  sum.yz += dot(y, az);
+  sum.zz += dot(z, az);
+  sum.gx += dot(x, g);
+  sum.gy += dot(y, g);
+  sum.gz += dot(z, g);
+}
+
+}  // namespace lithe::bake

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "kernels.h"
+
+#include <vector>
+
+#include "kernel_templates.h"
+
+namespace lithe::bake {
+
+LITHE_KERNEL void fanQuadric(std::span<const FanFace> fan, uint32_t blocks, Symmetric* result) {
+  for (uint32_t block = 0; block < blocks; ++block) {
+    Symmetric sum{};
+    for (const FanFace& f : fan) {
+      addFanFace(sum, f.corner[block], f.next[block], f.last[block], f.next_weight, f.last_weight);
+    }
+    result[block] = sum;
+  }
+}
+
+LITHE_KERNEL void combine(const Symmetric* qa, const Symmetric* qb, const PosedPoint* a, const PosedPoint* b,
+                          uint32_t blocks, Quadric* sum) {
+  for (uint32_t block = 0; block < blocks; ++block) {
+    Quadric result = shifted(withoutLinearTerm(qb[block]), a[block] - b[block]);
+    const Symmetric& p = qa[block];
+    result.xx += p.xx;
+    result.xy += p.xy;
+    result.xz += p.xz;
+    result.yy += p.yy;
+    result.yz += p.yz;
+    result.zz += p.zz;
+    sum[block] = result;
+  }
+}
+
+LITHE_KERNEL void combine(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b,
+                          uint32_t blocks, Quadric* sum) {
+  for (uint32_t block = 0; block < blocks; ++block) {
+    sum[block] = sumOf(qa[block], shifted(qb[block], a[block] - b[block]));
+  }
+}
+
+LITHE_KERNEL void accumulate(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b,
+                             const PosedPoint* parent, uint32_t blocks, Quadric* result) {
+  for (uint32_t block = 0; block < blocks; ++block) {
+    result[block] = sumOf(shifted(qa[block], parent[block] - a[block]), shifted(qb[block], parent[block] - b[block]));
+  }
+}
+
+LITHE_KERNEL float energy(const Quadric* q, const PosedPoint* origin, const PosedPoint* point, uint32_t blocks) {
+  Lanes sum{};
+  for (uint32_t block = 0; block < blocks; ++block) sum += energyAt(q[block], point[block] - origin[block]);
+  return laneSum(sum);
+}
+
+LITHE_KERNEL NormalEquations normalEquations(const Quadric* q, const Affine* blend, const PosedPoint* origin,
+                                             const PosedPoint* point, uint32_t blocks) {
+  NormalTerms<Lanes> sum{};
+  for (uint32_t block = 0; block < blocks; ++block) {
+    addNormalTerms(sum, q[block], blend[block].m, point[block] - origin[block]);
+  }
+  return {laneSum(sum.xx), laneSum(sum.xy), laneSum(sum.xz), laneSum(sum.yy), laneSum(sum.yz),
+          laneSum(sum.zz), laneSum(sum.gx), laneSum(sum.gy), laneSum(sum.gz)};
+}
+
+LITHE_KERNEL void weightTerms(const Quadric* q, const PosedPoint* origin, const PosedPoint* candidates, uint32_t size,
+                              uint32_t blocks, double* matrix, double* linear) {
+  for (uint32_t i = 0; i < size; ++i) {
+    for (uint32_t k = 0; k <= i; ++k) {
+      Lanes product{}, with_linear{};
+      for (uint32_t block = 0; block < blocks; ++block) {
+        const PosedPoint c = candidates[i * blocks + block] - origin[block];
+        const PosedPoint d = candidates[k * blocks + block] - origin[block];
+        const Lanes b_term = q[block].bx * d.x + q[block].by * d.y + q[block].bz * d.z;
+        const PosedPoint g = halfGradient(q[block], c);
+        product += dot(g, d) - b_term;
+        with_linear += b_term;
+      }
+      matrix[i * size + k] = matrix[k * size + i] = double{laneSum(product)};
+      if (k == i) linear[i] = double{laneSum(with_linear)};
+    }
+  }
+}
+
+LITHE_KERNEL uint32_t countFlips(const FanFace& face, const PosedPoint* moved, uint32_t blocks) {
+  uint32_t flips = 0;
+  for (uint32_t block = 0; block < blocks; ++block) {
+    const PosedPoint before = cross(face.next[block] - face.corner[block], face.last[block] - face.corner[block]);
+    const PosedPoint after = cross(face.next[block] - moved[block], face.last[block] - moved[block]);
+    flips += countLess(dot(before, after), Lanes{});
+  }
+  return flips;
+}
+
+LITHE_KERNEL float squaredDistances(const PosedPoint* a, const PosedPoint* b, uint32_t blocks) {
+  Lanes sum{};
+  for (uint32_t block = 0; block < blocks; ++block) {
+    const PosedPoint edge = b[block] - a[block];
+    sum += dot(edge, edge);
+  }
+  return laneSum(sum);
+}
+
+}  // namespace lithe::bake

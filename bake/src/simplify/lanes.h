@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+// Eight floats at once, one pose in each: the compiler's vector type, and a plain array that specifies what it
+// computes.
+//
+// Every operation is IEEE-exact and every sum over lanes has one fixed order, so both types give the same bits.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+// Compiles a kernel twice, with and without AVX2, chosen when the program starts; contraction is off, so the bits
+// agree.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define LITHE_KERNEL __attribute__((target_clones("avx2", "default")))
+#else
+#define LITHE_KERNEL
+#endif
+#define LITHE_INLINE inline __attribute__((always_inline))
+
+namespace lithe::bake {
+
+inline constexpr uint32_t kLanes = 8;
+
+using Lanes = float __attribute__((vector_size(32)));
+
+/// The specification of Lanes.
+struct ScalarLanes {
+  std::array<float, kLanes> lane{};
+
+  float& operator[](uint32_t i) { return lane[i]; }
+  float operator[](uint32_t i) const { return lane[i]; }
+
+  template <class Op>
+  static ScalarLanes each(const ScalarLanes& a, const ScalarLanes& b, Op op) {
+    ScalarLanes result;
+    for (uint32_t i = 0; i < kLanes; ++i) result.lane[i] = op(a.lane[i], b.lane[i]);
+    return result;
+  }
+  static ScalarLanes all(float value) {
+    ScalarLanes result;
+    result.lane.fill(value);
+    return result;
+  }
+  friend ScalarLanes operator+(const ScalarLanes& a, const ScalarLanes& b) {
+    return each(a, b, [](float x, float y) { return x + y; });
+  }
+  friend ScalarLanes operator-(const ScalarLanes& a, const ScalarLanes& b) {
+    return each(a, b, [](float x, float y) { return x - y; });
+  }
+  friend ScalarLanes operator*(const ScalarLanes& a, const ScalarLanes& b) {
+    return each(a, b, [](float x, float y) { return x * y; });
+  }
+  friend ScalarLanes operator*(const ScalarLanes& a, float b) { return a * all(b); }
+  friend ScalarLanes operator*(float a, const ScalarLanes& b) { return all(a) * b; }
+  ScalarLanes operator-() const {
+    return each(*this, *this, [](float x, float) { return -x; });
+  }
+  ScalarLanes& operator+=(const ScalarLanes& b) { return *this = *this + b; }
+};
+
+/// The lanes' sum in one fixed order.
+template <class L>
+LITHE_INLINE float laneSum(const L& x) {
+  return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+}
+
+inline constexpr float kVanishing = 1e-30f;  // squared doubled areas below this are no area (the posed diagonal is 1)
+
+/// 1 / x where x > kVanishing, else 0.
+LITHE_INLINE ScalarLanes positiveReciprocal(const ScalarLanes& x) {
+  return ScalarLanes::each(x, x, [](float a, float) { return a > kVanishing ? 1.0f / a : 0.0f; });
+}
+LITHE_INLINE Lanes positiveReciprocal(const Lanes& x) {
+  const auto mask = x > kVanishing;
+  const Lanes quotient = 1.0f / x;
+  decltype(x > kVanishing) bits;
+  std::memcpy(&bits, &quotient, sizeof bits);
+  bits &= mask;
+  Lanes result;
+  std::memcpy(&result, &bits, sizeof result);
+  return result;
+}
+
+/// Square roots, correctly rounded.
+LITHE_INLINE ScalarLanes squareRoot(const ScalarLanes& x) {
+  return ScalarLanes::each(x, x, [](float a, float) { return std::sqrt(a); });
+}
+LITHE_INLINE Lanes squareRoot(const Lanes& x) {
+#if defined(__SSE2__)
+  __m128 half[2];
+  std::memcpy(half, &x, sizeof half);
+  half[0] = _mm_sqrt_ps(half[0]);
+  half[1] = _mm_sqrt_ps(half[1]);
+  Lanes result;
+  std::memcpy(&result, half, sizeof result);
+  return result;
+#else
+  Lanes result = x;
+  for (uint32_t i = 0; i < kLanes; ++i) result[i] = std::sqrt(x[i]);
+  return result;
+#endif
+}
+
+/// How many lanes of a are less than b's.
+LITHE_INLINE uint32_t countLess(const ScalarLanes& a, const ScalarLanes& b) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < kLanes; ++i) count += a[i] < b[i] ? 1 : 0;
+  return count;
+}
+LITHE_INLINE uint32_t countLess(const Lanes& a, const Lanes& b) {
+  const auto mask = a < b;
+  int32_t count = 0;
+  for (uint32_t i = 0; i < kLanes; ++i) count -= static_cast<int32_t>(mask[i]);
+  return static_cast<uint32_t>(count);
+}
+
+// Without AVX compilers align Lanes to 16 bytes, but a kernel's AVX2 twin relies on 32: every struct of Lanes says so.
+inline constexpr uint32_t kLanesAlignment = 32;
+
+/// A point or a vector in eight poses.
+template <class L>
+struct alignas(kLanesAlignment) Vec3 {
+  L x, y, z;
+};
+
+template <class L>
+LITHE_INLINE Vec3<L> operator-(const Vec3<L>& a, const Vec3<L>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class L>
+LITHE_INLINE L dot(const Vec3<L>& a, const Vec3<L>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class L>
+LITHE_INLINE Vec3<L> cross(const Vec3<L>& a, const Vec3<L>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace lithe::bake

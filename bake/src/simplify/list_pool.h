@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+// Many short lists of ids in one flat array; a list that outgrows its place moves to the end.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lithe::bake {
+
+class ListPool {
+ public:
+  /// Lists of the given capacities, empty.
+  explicit ListPool(std::span<const uint32_t> capacities = {}) {
+    lists_.resize(capacities.size());
+    uint32_t begin = 0;
+    for (size_t i = 0; i < capacities.size(); ++i) {
+      lists_[i] = {begin, 0, capacities[i]};
+      begin += capacities[i];
+    }
+    ids_.resize(begin);
+  }
+
+  std::span<uint32_t> operator[](uint32_t list) { return {ids_.data() + lists_[list].begin, lists_[list].count}; }
+  std::span<const uint32_t> operator[](uint32_t list) const {
+    return {ids_.data() + lists_[list].begin, lists_[list].count};
+  }
+
+  /// Appends within the capacity the list was made with.
+  void append(uint32_t list, uint32_t id) { ids_[lists_[list].begin + lists_[list].count++] = id; }
+
+  void assign(uint32_t list, std::span<const uint32_t> ids) {
+    List& l = lists_[list];
+    if (ids.size() > l.capacity) {
+      l.begin = static_cast<uint32_t>(ids_.size());
+      l.capacity = static_cast<uint32_t>(ids.size());
+      ids_.resize(ids_.size() + ids.size());
+    }
+    l.count = static_cast<uint32_t>(ids.size());
+    std::copy(ids.begin(), ids.end(), ids_.begin() + l.begin);
+  }
+
+  /// Removes one occurrence, keeping the order; the id must be there.
+  void remove(uint32_t list, uint32_t id) {
+    const std::span<uint32_t> ids = (*this)[list];
+    const auto found = std::find(ids.begin(), ids.end(), id);
+    std::copy(found + 1, ids.end(), found);
+    --lists_[list].count;
+  }
+
+ private:
+  struct List {
+    uint32_t begin, count, capacity;
+  };
+  std::vector<List> lists_;
+  std::vector<uint32_t> ids_;
+};
+
+}  // namespace lithe::bake

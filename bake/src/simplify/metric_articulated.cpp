@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+// Landreneau and Schaefer 2009 with area-weighted quadrics of the current surface (memoryless, Lindstrom and Turk
+// 1998). What the surface has forgotten is guarded by the accumulated quadrics: without them thin parts melt away.
+#include <algorithm>
+
+#include "fan.h"
+#include "metric.h"
+
+namespace lithe::bake {
+
+namespace {
+
+constexpr double kGuard = 2.0;  // of the accumulated energy
+
+class ArticulatedMetric : public Metric {
+ public:
+  explicit ArticulatedMetric(const MetricInput& input)
+      : nodes_(input.nodes), surface_(input.surface), weights_(input.options), weight_gain_(input.options.weight_gain) {
+    const size_t count = nodes_.positions.size() * nodes_.posed.blocks;
+    current_.resize(count);
+    accumulated_.resize(count);
+    stale_.assign(nodes_.positions.size(), 1);
+    fresh_start_.assign(nodes_.positions.size(), 1);
+  }
+
+  void refresh(uint32_t slot, std::vector<FanFace>& fan) override {
+    if (!stale_[slot]) return;
+    stale_[slot] = 0;
+    gatherFan(surface_, slot, nodes_.posed, weights_, fan);
+    fanQuadric(fan, nodes_.posed.blocks, currentAt(slot));
+    if (!fresh_start_[slot]) return;
+    fresh_start_[slot] = 0;
+    for (uint32_t block = 0; block < nodes_.posed.blocks; ++block) {
+      accumulatedAt(slot)[block] = withoutLinearTerm(currentAt(slot)[block]);
+    }
+  }
+
+  Placement place(uint32_t a, uint32_t b, EdgePlacer& placer) const override {
+    const PosedMesh& posed = nodes_.posed;
+    combine(currentAt(a), currentAt(b), posed.at(a), posed.at(b), posed.blocks, placer.quadric.data());
+    Placement placement = placer.placeFreely(a, b);
+    placement.cost = guarded(a, b, placement.cost, placer.posed.data());
+    return placement;
+  }
+
+  void improveSkin(uint32_t a, uint32_t b, EdgePlacer& placer, Placement& placement,
+                   QuantizedSkin& skin) const override {
+    const PosedMesh& posed = nodes_.posed;
+    Placement improved = placement;
+    QuantizedSkin improved_skin = skin;
+    improved.cost = std::max(0.0f, energy(placer.quadric.data(), posed.at(a), placer.posed.data(), posed.blocks));
+    unimproved_ = placer.posed;
+    placer.optimizeSkin(a, b, weight_gain_, improved, improved_skin);
+    improved.cost = guarded(a, b, improved.cost, placer.posed.data());
+    if (improved.cost < placement.cost * (1.0 - weight_gain_)) {
+      placement = improved;
+      skin = improved_skin;
+    } else {
+      placer.posed = unimproved_;
+    }
+  }
+
+  void merge(uint32_t a, uint32_t b, const Placement&, const PosedPoint* parent) override {
+    const PosedMesh& posed = nodes_.posed;
+    accumulate(accumulatedAt(a), accumulatedAt(b), posed.at(a), posed.at(b), parent, posed.blocks, accumulatedAt(a));
+  }
+
+  void invalidate(uint32_t slot) override { stale_[slot] = 1; }
+
+ private:
+  double guarded(uint32_t a, uint32_t b, double current, const PosedPoint* point) const {
+    const PosedMesh& posed = nodes_.posed;
+    const double past = double{energy(accumulatedAt(a), posed.at(a), point, posed.blocks)} +
+                        double{energy(accumulatedAt(b), posed.at(b), point, posed.blocks)};
+    return std::max(current, kGuard * past);
+  }
+
+  Symmetric* currentAt(uint32_t slot) { return current_.data() + size_t{slot} * nodes_.posed.blocks; }
+  const Symmetric* currentAt(uint32_t slot) const { return current_.data() + size_t{slot} * nodes_.posed.blocks; }
+  Quadric* accumulatedAt(uint32_t slot) { return accumulated_.data() + size_t{slot} * nodes_.posed.blocks; }
+  const Quadric* accumulatedAt(uint32_t slot) const { return accumulated_.data() + size_t{slot} * nodes_.posed.blocks; }
+
+  const NodeState& nodes_;
+  const Surface& surface_;
+  EdgeWeights weights_;
+  double weight_gain_;
+  std::vector<Symmetric> current_;    // [slot][block] of the triangles as they are
+  std::vector<Quadric> accumulated_;  // [slot][block] of the mesh as it was
+  std::vector<uint8_t> stale_, fresh_start_;
+  mutable std::vector<PosedPoint> unimproved_;
+};
+
+}  // namespace
+
+std::unique_ptr<Metric> makeArticulatedMetric(const MetricInput& input) {
+  return std::make_unique<ArticulatedMetric>(input);
+}
+
+}  // namespace lithe::bake

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "lithe/bake/simplify.h"
+
+#include "collapser.h"
+
+namespace lithe::bake {
+
+CollapseSequence simplify(const Mesh& mesh, const std::vector<Joint>& joints, const std::vector<Pose>& poses,
+                          const SimplifyOptions& options) {
+  Collapser collapser(mesh, palettesOf(options.metric, joints, poses), options);
+  collapser.placeAllEdges();
+  const uint32_t from = collapser.triangleCount();
+  CollapseSequence sequence;
+  while (collapser.triangleCount() > options.min_triangles) {
+    Collapse collapse;
+    if (!collapser.collapseNext(collapse)) break;
+    sequence.collapses.push_back(collapse);
+    if (options.progress && sequence.collapses.size() % 1024 == 0) {
+      options.progress(double(from - collapse.triangles) / (from - options.min_triangles));
+    }
+  }
+  if (options.progress) options.progress(1.0);
+  return sequence;
+}
+
+}  // namespace lithe::bake
