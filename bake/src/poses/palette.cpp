@@ -38,7 +38,7 @@ std::vector<glm::dmat4> worldMatrices(const Model& model, std::span<const Transf
   std::vector<glm::dmat4> world(model.nodes.size());
   for (size_t i = 0; i < world.size(); ++i) {
     Transform local = locals[i];
-    local.rotation = unitRotation(local.rotation);
+    local.rotation = glm::normalize(local.rotation);
     const uint32_t parent = model.nodes[i].parent;
     world[i] = parent == kNone ? local.matrix() : world[parent] * local.matrix();
   }
@@ -52,12 +52,6 @@ std::vector<Transform> restLocals(const Model& model) {
   locals.reserve(model.nodes.size());
   for (const Node& node : model.nodes) locals.push_back(node.rest);
   return locals;
-}
-
-glm::dquat unitRotation(const glm::dquat& q) {
-  const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  if (!(length > 0.0)) return glm::dquat(1.0, 0.0, 0.0, 0.0);
-  return glm::dquat(q.w / length, q.x / length, q.y / length, q.z / length);
 }
 
 std::vector<glm::dmat4> paletteOf(const Model& model, std::span<const Transform> locals) {

@@ -13,9 +13,6 @@ namespace lithe::bake {
 /// The rest transform of every node.
 std::vector<Transform> restLocals(const Model& model);
 
-/// A quaternion of length 1 in the same direction; identity for the zero quaternion.
-glm::dquat unitRotation(const glm::dquat& q);
-
 /// world(node) * inverse_bind per joint, rounded as poses.h says.
 std::vector<glm::dmat4> paletteOf(const Model& model, std::span<const Transform> locals);
 

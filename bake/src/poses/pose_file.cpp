@@ -60,7 +60,7 @@ glm::dquat readRotation(const Json& value, const Place& place) {
   const std::vector<double> q = readNumbers(value, 4, "rotation", place);
   const glm::dquat rotation(q[3], q[0], q[1], q[2]);
   if (!(glm::dot(rotation, rotation) > 0.0)) place.fail("'rotation' must not be the zero quaternion");
-  return unitRotation(rotation);
+  return glm::normalize(rotation);
 }
 
 glm::dvec3 readVector(const Json& value, const std::string& property, const Place& place) {

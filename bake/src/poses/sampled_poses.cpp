@@ -73,7 +73,7 @@ std::vector<Pose> sampledPoses(const Model& model, uint32_t count) {
       const bool root = parent == kNone || !is_joint[parent];
       JointNoise noise(i, node);
       const glm::dquat turn = randomRotation(noise, poseAmplitude(i) * (root ? kSampledRootShare : 1.0));
-      locals[node].rotation = unitRotation(locals[node].rotation) * turn;
+      locals[node].rotation = glm::normalize(locals[node].rotation) * turn;
     }
     poses.push_back(localPose(model, locals));
   }

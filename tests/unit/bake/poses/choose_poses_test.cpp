@@ -77,7 +77,7 @@ TEST(ChoosePoses, TakesOnlyNamedClips) {
 
 TEST(ChoosePoses, EveryClipIsRepresentedHoweverMany) {
   Model arm = makeArm();
-  for (int i = 0; i < 600; ++i) arm.clips.push_back(bendClip("c" + std::to_string(i), {0.0, 0.2 * i, 0.0}));
+  for (int i = 0; i < 600; ++i) arm.clips.push_back(bendClip(std::to_string(i), {0.0, 0.2 * i, 0.0}));
   // 600 clips of 2 s; the distinct poses are those of the middle of each clip.
   std::set<std::string> clips;
   for (const Pose& pose : choosePoses(arm, {600, {}, {}})) clips.insert(pose.clip);
