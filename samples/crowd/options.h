@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// The crowd's command line.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+struct Options {
+  std::vector<std::filesystem::path> characters;  ///< .lithe files; clips come from the .glb of the same name beside
+  uint32_t instances = 1000;
+  float threshold_px = 1.0f;        ///< largest error on screen
+  double bytes_per_second = 256e3;  ///< of the simulated link that pages come over
+  int width = 1280, height = 720;
+  uint32_t frames = 8;  ///< pictures along the camera path
+  std::filesystem::path output = "demo";
+  bool level_colors = false;
+  bool window = false;
+  bool shadows = true;
+};
+
+/// Ends the process for --help and for bad usage (exit code 2).
+Options readOptions(int argc, char** argv);

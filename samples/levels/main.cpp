@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+/// Pictures of one character's levels: each alone, and a sheet of some side by side.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "error.h"
+#include "headless.h"
+#include "level_scene.h"
+
+namespace {
+
+struct Options {
+  std::filesystem::path character, output = ".";
+  PoseChoice pose;
+  uint32_t columns = 5;
+  int cell_width = 340, cell_height = 420;
+  bool each = false;
+};
+
+void describe(CLI::App& app, Options& options) {
+  app.add_option("character", options.character,
+                 "The .lithe file; its clips come from the .glb of the same name beside it")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app.add_option("--out", options.output, "Folder for NAME_levels.png and NAME_level_K.png");
+  app.add_option("--clip", options.pose.clip, "Clip to pose it by; its first one if not given");
+  app.add_option("--fraction", options.pose.fraction, "How far into the clip, 0 to 1")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--turn", options.pose.turn, "Degrees turned from facing the camera");
+  app.add_option("--columns", options.columns, "Levels on the sheet")->check(CLI::Range(1, 16));
+  app.add_option("--cell-width", options.cell_width, "Pixels")->check(CLI::Range(64, 4096));
+  app.add_option("--cell-height", options.cell_height, "Pixels")->check(CLI::Range(64, 4096));
+  app.add_flag("--each", options.each, "Write every level's own picture too");
+}
+
+std::string grouped(uint64_t value) {
+  std::string digits = std::to_string(value);
+  for (size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+/// Levels whose triangle counts step evenly (in factors) from the finest to the coarsest.
+std::vector<uint32_t> chooseLevels(const sample::Character& character, uint32_t count) {
+  const auto& levels = character.levels;
+  const double finest = std::log(std::max(levels.back().triangle_count, 1u));
+  const double coarsest = std::log(std::max(levels.front().triangle_count, 1u));
+  std::vector<uint32_t> chosen;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double wish = count < 2 ? finest : finest + (coarsest - finest) * i / (count - 1);
+    uint32_t best = 0;
+    for (uint32_t level = 0; level < levels.size(); ++level) {
+      const auto away = [&](uint32_t l) { return std::abs(std::log(std::max(levels[l].triangle_count, 1u)) - wish); };
+      if (away(level) < away(best)) best = level;
+    }
+    if (chosen.empty() || chosen.back() != best) chosen.push_back(best);
+  }
+  return chosen;
+}
+
+void paste(const sample::Picture& cell, sample::Picture& sheet, int x, int y) {
+  for (int row = 0; row < cell.height; ++row) {
+    std::copy_n(&cell.rgb[size_t{3} * row * cell.width], size_t{3} * cell.width,
+                &sheet.rgb[size_t{3} * ((y + row) * size_t(sheet.width) + x)]);
+  }
+}
+
+/// The height on screen at which the level's error is one pixel: what it may be used for.
+float usableHeight(const LevelScene& scene, uint32_t level) {
+  const float error = scene.character().levels[level].error;
+  return error > 0 ? scene.posedHeight() / error : INFINITY;
+}
+
+std::string usableText(float height) {
+  return height < 10000 ? "up to " + std::to_string(static_cast<int>(height)) + " pixels tall" : "exact";
+}
+
+Shot usedShot(const LevelScene& scene, uint32_t level, const Options& options) {
+  Shot shot{level, options.cell_width, options.cell_height, 0, false, false, {}};
+  const float height = usableHeight(scene, level);
+  shot.labels = {usableText(height)};
+  if (height < 0.8f * static_cast<float>(options.cell_height)) shot.figure_px = height;
+  return shot;
+}
+
+/// Three rows: shaded, with its edges, and as small as a pixel of error allows.
+sample::Picture drawSheet(LevelScene& scene, const Options& options) {
+  const std::vector<uint32_t> levels = chooseLevels(scene.character(), options.columns);
+  sample::Picture sheet(options.cell_width * static_cast<int>(levels.size()), options.cell_height * 3);
+  for (size_t i = 0; i < levels.size(); ++i) {
+    const lithe_level& level = scene.character().levels[levels[i]];
+    const int x = options.cell_width * static_cast<int>(i);
+    Shot shot{levels[i], options.cell_width, options.cell_height, 0, false, true, {}};
+    shot.labels = {grouped(level.triangle_count) + " triangles", grouped(level.bytes_end) + " bytes"};
+    paste(scene.draw(shot), sheet, x, 0);
+    shot.wires = true;
+    shot.labels.clear();
+    paste(scene.draw(shot), sheet, x, options.cell_height);
+    paste(scene.draw(usedShot(scene, levels[i], options)), sheet, x, 2 * options.cell_height);
+  }
+  return sheet;
+}
+
+void writeEach(LevelScene& scene, const Options& options) {
+  for (uint32_t level = 0; level < scene.character().info.level_count; ++level) {
+    const Shot shot{level, options.cell_width, options.cell_height, 0, false, true, {}};
+    sample::writePng(scene.draw(shot),
+                     options.output / (scene.character().name + "_level_" + std::to_string(level) + ".png"));
+  }
+}
+
+void writePictures(const Options& options) {
+  const sample::Headless context;
+  const std::filesystem::path gltf = std::filesystem::path(options.character).replace_extension(".glb");
+  LevelScene scene(sample::openCharacter(options.character), gltf, options.pose);
+  std::filesystem::create_directories(options.output);
+  const std::filesystem::path sheet = options.output / (scene.character().name + "_levels.png");
+  sample::writePng(drawSheet(scene, options), sheet);
+  if (options.each) writeEach(scene, options);
+  std::printf("%s: %u levels of %s\n", sheet.string().c_str(), scene.character().info.level_count,
+              scene.character().name.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Pictures of a character's levels side by side", "lithe_levels");
+  describe(app, options);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    writePictures(options);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "lithe_levels: %s\n", error.what());
+    return 1;
+  }
+}
