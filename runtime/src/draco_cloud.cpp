@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "draco_cloud.h"
 
-#include <string.h>
-
 #include "draco_reader.h"
 #include "draco_values.h"
 #include "rans.h"
@@ -76,152 +74,218 @@ CloudResult readLayout(DracoReader& reader, uint32_t records, const ColumnSpec* 
   return CloudResult::kOk;
 }
 
-/// Clouds being decoded. Streams whose place is known wait in lanes, so that up to four are decoded in turns; a tagged
-/// column must be finished at once, because its length is only known from its tags, and takes the others along.
-struct Decoder {
-  Workspace* work;
-  RansRow* rows;
-  RansLane lanes[kRansLanes];
-  uint32_t lane_job[kRansLanes];  ///< whose stream a lane holds
-  uint32_t busy = 0;              ///< bit k: lane k holds a stream
-
-  uint32_t job = 0;  ///< the cloud being read
+/// A cloud whose columns are being read, and the column at whose stream it waits.
+struct OpenCloud {
+  const CloudJob* job = nullptr;  ///< null: free for the next one
   DracoReader reader;
-  uint32_t records = 0;
-  uint32_t failed_job = 0;  ///< whose stream was unsound, when a step says so
+  uint32_t column = 0;                       ///< being read, or the next one
+  bool waits = false;                        ///< for a stream: nothing behind it can be read before
+  bool tagged = false, differences = false;  ///< what becomes of the column's symbols
+};
+
+constexpr uint32_t kNobody = ~0u;
+
+/// Who a lane's values are for.
+struct LaneOwner {
+  const CloudJob* job;
+  uint32_t waiter;  ///< the open cloud that waits for them, or kNobody
+};
+
+/// Decodes clouds side by side. Streams lie in lanes and are decoded in turns. What follows a stream of tags is only
+/// found once they are decoded, so a cloud waits there; that several clouds are open keeps the lanes busy meanwhile.
+class Decoder {
+ public:
+  explicit Decoder(const DecodeScratch& scratch)
+      : work_(static_cast<Workspace*>(scratch.memory)), rows_(reinterpret_cast<RansRow*>(work_ + 1)) {}
+
+  CloudResult run(const CloudJob* jobs, uint32_t job_count) {
+    const CloudJob* next = jobs;
+    const CloudJob* const end = jobs + job_count;
+    for (;;) {
+      CloudResult result = fillLanes(&next, end);
+      if (result != CloudResult::kOk || busy_ == 0) return result;
+      result = stepLanes();
+      if (result != CloudResult::kOk) return result;
+    }
+  }
+
+  /// The cloud that the last failure was found in.
+  const CloudJob* failed() const { return failed_; }
+
+ private:
+  static constexpr uint32_t kAllLanes = (1u << kRansLanes) - 1;
+
+  Workspace* work_;
+  RansRow* rows_;
+  RansLane lanes_[kRansLanes];
+  LaneOwner owners_[kRansLanes];
+  uint32_t busy_ = 0;  ///< bit k: lane k holds a stream
+  OpenCloud open_[kRansLanes];
+  const CloudJob* failed_ = nullptr;
 
   uint32_t freeLane() const {
     uint32_t k = 0;
-    while (busy >> k & 1) ++k;
+    while (busy_ >> k & 1) ++k;
     return k;
   }
 
-  /// Decodes from all busy lanes until one is done, and closes those that are.
-  bool stepOnce() {
-    RansLane* active[kRansLanes];
-    uint32_t count = 0;
+  /// Reads on, in open clouds and then in new ones, until every lane has a stream or every cloud waits.
+  CloudResult fillLanes(const CloudJob** next, const CloudJob* end) {
     for (uint32_t k = 0; k < kRansLanes; ++k) {
-      if (busy >> k & 1) active[count++] = &lanes[k];
-    }
-    stepRansLanes(active, count);
-    for (uint32_t k = 0; k < kRansLanes; ++k) {
-      if (!(busy >> k & 1)) continue;
-      if (!ransIsSound(lanes[k])) {
-        failed_job = lane_job[k];
-        return false;
+      OpenCloud& cloud = open_[k];
+      while (busy_ != kAllLanes && !cloud.waits) {
+        if (!cloud.job && *next == end) break;
+        if (!cloud.job)
+          cloud.job = failed_ = (*next)++;
+        else
+          failed_ = cloud.job;
+        const CloudResult result = readOn(cloud, k);
+        if (result != CloudResult::kOk) return result;
       }
-      if (lanes[k].left == 0) busy &= ~(1u << k);
     }
-    return true;
-  }
-
-  bool finish(uint32_t lane_mask) {
-    while (busy & lane_mask) {
-      if (!stepOnce()) return false;
-    }
-    return true;
-  }
-
-  bool makeRoom() {
-    while (busy == (1u << kRansLanes) - 1) {
-      if (!stepOnce()) return false;
-    }
-    return true;
-  }
-
-  CloudResult refused(CloudResult otherwise) const { return reader.ok ? otherwise : CloudResult::kTruncated; }
-
-  /// Reads a frequency table and takes up its stream. lane: receives the mask of the lane that the stream waits in, or
-  /// zero when it has been decoded already.
-  CloudResult openStream(const RansLimits& limits, RansValue value, uint32_t count, int32_t* out, uint32_t* lane) {
-    const uint32_t row_count = readRansRows(reader, limits, rows);
-    if (row_count == 0) return refused(CloudResult::kFrequencies);
-    RansStream stream;
-    if (!openRansStream(reader, limits.precision, &stream)) return refused(CloudResult::kStream);
-    *lane = 0;
-    if (!fitsNarrow(row_count, limits.precision)) {
-      buildWideTable(rows, row_count, limits.precision, &work->wide);
-      return decodeWide(work->wide, stream, value, count, out) ? CloudResult::kOk : CloudResult::kStream;
-    }
-    if (!makeRoom()) return CloudResult::kStream;
-    const uint32_t k = freeLane();
-    buildNarrowTable(rows, row_count, value, &work->narrow[k]);
-    lanes[k] = {&work->narrow[k], limits.precision, reader.bytes, stream, out, count};
-    lane_job[k] = job;
-    *lane = 1u << k;
-    busy |= *lane;
     return CloudResult::kOk;
   }
 
-  CloudResult readTagged(uint32_t components, int32_t* out) {
-    uint32_t lane = 0;
-    int32_t* tags = out + static_cast<size_t>(records) * (components - 1);
-    const RansLimits limits = {kMinRansPrecision, kTagSymbols, records};
-    const CloudResult result = openStream(limits, RansValue::kSymbol, records, tags, &lane);
+  CloudResult stepLanes() {
+    RansLane* active[kRansLanes];
+    uint32_t count = 0;
+    for (uint32_t k = 0; k < kRansLanes; ++k) {
+      if (busy_ >> k & 1) active[count++] = &lanes_[k];
+    }
+    stepRansLanes(active, count);
+    for (uint32_t k = 0; k < kRansLanes; ++k) {
+      if (!(busy_ >> k & 1)) continue;
+      failed_ = owners_[k].job;
+      if (!ransIsSound(lanes_[k])) return CloudResult::kStream;
+      if (lanes_[k].left != 0) continue;
+      busy_ &= ~(1u << k);
+      if (owners_[k].waiter == kNobody) continue;
+      const CloudResult result = finishColumn(open_[owners_[k].waiter]);
+      if (result != CloudResult::kOk) return result;
+    }
+    return CloudResult::kOk;
+  }
+
+  /// One step of an open cloud: its beginning, its next column, or its end.
+  CloudResult readOn(OpenCloud& cloud, uint32_t place) {
+    const CloudJob& job = *cloud.job;
+    if (!cloud.reader.bytes) return begin(cloud);
+    if (cloud.column < job.column_count) return readColumn(cloud, place);
+    const bool finished = cloud.reader.left() == 0;
+    cloud = OpenCloud{};
+    return finished ? CloudResult::kOk : CloudResult::kTrailing;
+  }
+
+  static CloudResult begin(OpenCloud& cloud) {
+    const CloudJob& job = *cloud.job;
+    cloud.reader = DracoReader{job.bytes, job.size};
+    const CloudResult result = readHeader(cloud.reader);
     if (result != CloudResult::kOk) return result;
-    if (!finish(lane)) return CloudResult::kStream;
-    return readTaggedValues(reader, records, components, out);
+    return readLayout(cloud.reader, job.expected_records, job.columns, job.column_count);
   }
 
-  CloudResult readRaw(RansValue value, uint32_t count, int32_t* out, uint32_t* lane) {
-    const uint32_t bit_length = reader.u8();
-    if (bit_length == 0 || bit_length > kMaxRansBitLength) return refused(CloudResult::kFrequencies);
-    const RansLimits limits = {ransPrecision(bit_length), kMaxRansSymbols, count};
-    return openStream(limits, value, count, out, lane);
-  }
-
-  /// One column's symbols, or signed values where `value` asks for them.
-  CloudResult readSymbols(const ColumnSpec& column, RansValue value, int32_t* out, uint32_t* lane) {
-    const uint32_t count = records * column.components;
+  CloudResult readColumn(OpenCloud& cloud, uint32_t place) {
+    DracoReader& reader = cloud.reader;
+    const uint8_t prediction = reader.u8();
+    cloud.differences = prediction != kNoPrediction;
+    if (cloud.differences && (prediction != kDifference || reader.u8() != kWrap))
+      return refused(reader, CloudResult::kForeign);
     const uint8_t compressed = reader.u8();
     const uint8_t how = reader.u8();  // the scheme, or bytes per value
     if (!reader.ok) return CloudResult::kTruncated;
-    if (compressed == 1 && how == kRaw) return readRaw(value, count, out, lane);
-    CloudResult result = CloudResult::kForeign;
-    if (compressed == 0)
-      result = readPlainValues(reader, how, count, out);
-    else if (compressed == 1 && how == kTagged)
-      result = readTagged(column.components, out);
-    if (result == CloudResult::kOk && value == RansValue::kSigned) undoZigzag(count, out);
-    return result;
+    if (compressed == 0) return readPlain(cloud, how);
+    if (compressed != 1 || how > kRaw) return CloudResult::kForeign;
+    return how == kTagged ? openTags(cloud, place) : openSymbols(cloud, place);
   }
 
-  CloudResult readColumn(const ColumnSpec& column, int32_t* out) {
-    uint32_t lane = 0;
-    const uint8_t prediction = reader.u8();
-    if (prediction == kNoPrediction) {
-      const RansValue value = column.kind == ColumnKind::kSigned ? RansValue::kSigned : RansValue::kSymbol;
-      return readSymbols(column, value, out, &lane);
-    }
-    const uint8_t transform = reader.u8();
-    if (prediction != kDifference || transform != kWrap) return refused(CloudResult::kForeign);
-    const CloudResult result = readSymbols(column, RansValue::kSigned, out, &lane);
+  CloudResult readPlain(OpenCloud& cloud, uint8_t byte_count) {
+    const CloudResult result = readPlainValues(cloud.reader, byte_count, valueCount(cloud), outOf(cloud));
     if (result != CloudResult::kOk) return result;
-    if (!finish(lane)) return CloudResult::kStream;
-    return addDifferences(column, out);
+    if (becomesSigned(cloud)) undoZigzag(valueCount(cloud), outOf(cloud));
+    return finishValues(cloud);
   }
 
-  CloudResult addDifferences(const ColumnSpec& column, int32_t* out) {
+  CloudResult openTags(OpenCloud& cloud, uint32_t place) {
+    const uint32_t records = cloud.job->expected_records;
+    int32_t* tags = outOf(cloud) + static_cast<size_t>(records) * (cloud.job->columns[cloud.column].components - 1);
+    cloud.tagged = cloud.waits = true;
+    return openStream(cloud, place, {kMinRansPrecision, kTagSymbols, records}, RansValue::kSymbol, records, tags);
+  }
+
+  CloudResult openSymbols(OpenCloud& cloud, uint32_t place) {
+    const uint32_t bit_length = cloud.reader.u8(), count = valueCount(cloud);
+    if (bit_length == 0 || bit_length > kMaxRansBitLength) return refused(cloud.reader, CloudResult::kFrequencies);
+    const RansValue value = becomesSigned(cloud) ? RansValue::kSigned : RansValue::kSymbol;
+    cloud.tagged = false;
+    cloud.waits = cloud.differences;
+    return openStream(cloud, place, {ransPrecision(bit_length), kMaxRansSymbols, count}, value, count, outOf(cloud));
+  }
+
+  /// Reads a frequency table and puts its stream into a free lane; a stream that is too wide for lanes is decoded here.
+  CloudResult openStream(OpenCloud& cloud, uint32_t place, const RansLimits& limits, RansValue value, uint32_t count,
+                         int32_t* out) {
+    DracoReader& reader = cloud.reader;
+    const uint32_t row_count = readRansRows(reader, limits, rows_);
+    if (row_count == 0) return refused(reader, CloudResult::kFrequencies);
+    RansStream stream;
+    if (!openRansStream(reader, limits.precision, &stream)) return refused(reader, CloudResult::kStream);
+    if (!fitsNarrow(row_count, limits.precision)) {
+      buildWideTable(rows_, row_count, limits.precision, &work_->wide);
+      if (!decodeWide(work_->wide, stream, value, count, out)) return CloudResult::kStream;
+      return finishColumn(cloud);
+    }
+    const uint32_t k = freeLane();
+    buildNarrowTable(rows_, row_count, value, &work_->narrow[k]);
+    lanes_[k] = {&work_->narrow[k], limits.precision, reader.bytes, stream, out, count};
+    owners_[k] = {cloud.job, cloud.waits ? place : kNobody};
+    busy_ |= 1u << k;
+    if (!cloud.waits) ++cloud.column;
+    return CloudResult::kOk;
+  }
+
+  /// What is to be done once a column's stream is decoded.
+  static CloudResult finishColumn(OpenCloud& cloud) {
+    cloud.waits = false;
+    if (cloud.tagged) {
+      const CloudJob& job = *cloud.job;
+      const uint32_t components = job.columns[cloud.column].components;
+      const CloudResult result = readTaggedValues(cloud.reader, job.expected_records, components, outOf(cloud));
+      if (result != CloudResult::kOk) return result;
+      if (becomesSigned(cloud)) undoZigzag(valueCount(cloud), outOf(cloud));
+    }
+    return finishValues(cloud);
+  }
+
+  static CloudResult finishValues(OpenCloud& cloud) {
+    if (cloud.differences) {
+      const CloudResult result = addDifferences(cloud);
+      if (result != CloudResult::kOk) return result;
+    }
+    ++cloud.column;
+    return CloudResult::kOk;
+  }
+
+  static CloudResult addDifferences(OpenCloud& cloud) {
+    DracoReader& reader = cloud.reader;
     const int32_t minimum = static_cast<int32_t>(reader.u32()), maximum = static_cast<int32_t>(reader.u32());
     if (!reader.ok) return CloudResult::kTruncated;
-    const CloudResult result = sumDifferences(records, column.components, minimum, maximum, out);
-    if (result == CloudResult::kOk && column.kind == ColumnKind::kUnsigned) {
-      applyZigzag(static_cast<uint64_t>(records) * column.components, out);
-    }
+    const ColumnSpec& column = cloud.job->columns[cloud.column];
+    int32_t* values = outOf(cloud);
+    const CloudResult result = sumDifferences(cloud.job->expected_records, column.components, minimum, maximum, values);
+    if (result == CloudResult::kOk && column.kind == ColumnKind::kUnsigned) applyZigzag(valueCount(cloud), values);
     return result;
   }
 
-  CloudResult readCloud(const CloudJob& cloud, uint32_t index) {
-    job = index;
-    records = cloud.expected_records;
-    reader = DracoReader{cloud.bytes, cloud.size};
-    CloudResult result = readHeader(reader);
-    if (result == CloudResult::kOk) result = readLayout(reader, records, cloud.columns, cloud.column_count);
-    for (uint32_t i = 0; i < cloud.column_count && result == CloudResult::kOk; ++i) {
-      result = readColumn(cloud.columns[i], cloud.out[i]);
-    }
-    if (result != CloudResult::kOk) return result;
-    return reader.left() == 0 ? CloudResult::kOk : CloudResult::kTrailing;
+  static CloudResult refused(const DracoReader& reader, CloudResult otherwise) {
+    return reader.ok ? otherwise : CloudResult::kTruncated;
+  }
+  static int32_t* outOf(const OpenCloud& cloud) { return cloud.job->out[cloud.column]; }
+  static uint32_t valueCount(const OpenCloud& cloud) {
+    return cloud.job->expected_records * cloud.job->columns[cloud.column].components;
+  }
+  /// Differences are signed whatever their sums are.
+  static bool becomesSigned(const OpenCloud& cloud) {
+    return cloud.differences || cloud.job->columns[cloud.column].kind == ColumnKind::kSigned;
   }
 };
 
@@ -244,16 +308,14 @@ size_t decodeScratchSize(uint32_t max_records) {
 }
 
 CloudResult decodeClouds(const CloudJob* jobs, uint32_t job_count, const DecodeScratch& scratch, uint32_t* failed) {
-  Decoder decoder;
-  decoder.work = static_cast<Workspace*>(scratch.memory);
-  decoder.rows = reinterpret_cast<RansRow*>(decoder.work + 1);
-  CloudResult result = CloudResult::kOk;
-  for (uint32_t i = 0; i < job_count && result == CloudResult::kOk; ++i) {
-    decoder.failed_job = i;
-    result = isSane(jobs[i], scratch) ? decoder.readCloud(jobs[i], i) : CloudResult::kArgument;
+  for (uint32_t i = 0; i < job_count; ++i) {
+    if (isSane(jobs[i], scratch)) continue;
+    if (failed) *failed = i;
+    return CloudResult::kArgument;
   }
-  if (result == CloudResult::kOk && !decoder.finish(~0u)) result = CloudResult::kStream;
-  if (failed && result != CloudResult::kOk) *failed = decoder.failed_job;
+  Decoder decoder(scratch);
+  const CloudResult result = decoder.run(jobs, job_count);
+  if (failed && result != CloudResult::kOk) *failed = static_cast<uint32_t>(decoder.failed() - jobs);
   return result;
 }
 

@@ -59,7 +59,7 @@ struct DecodeScratch {
   size_t size = 0;         ///< at least decodeScratchSize()
 };
 
-/// The scratch that a decode needs when no cloud has more than max_records records: 266 KiB and 32 bytes per record, at
+/// The scratch that a decode needs when no cloud has more than max_records records: 264 KiB and 32 bytes per record, at
 /// most 2.3 MiB.
 size_t decodeScratchSize(uint32_t max_records);
 

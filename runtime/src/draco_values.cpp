@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "draco_values.h"
 
+#include "lithe/format/bytes.h"
 #include "rans.h"
 
 namespace lithe::runtime {
@@ -12,11 +13,8 @@ constexpr int32_t kValueLimit = 1 << (kCloudSymbolBits - 1);
 
 /// Up to eight bytes as one number; what lies beyond the end reads as zero.
 uint64_t loadBits(const uint8_t* bytes, size_t size, size_t at) {
+  if (size - at >= 8) return format::loadU64(bytes + at);
   uint64_t bits = 0;
-  if (size - at >= 8) {
-    for (uint32_t k = 0; k < 8; ++k) bits |= static_cast<uint64_t>(bytes[at + k]) << (8 * k);
-    return bits;
-  }
   for (uint32_t k = 0; at + k < size; ++k) bits |= static_cast<uint64_t>(bytes[at + k]) << (8 * k);
   return bits;
 }

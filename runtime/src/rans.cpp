@@ -19,7 +19,15 @@ uint32_t readFrequency(DracoReader& reader, uint32_t first) {
 }
 
 /// The two bytes that a stream gives next, the nearer one on top.
-uint32_t nextTwo(const uint8_t* cursor) { return cursor[-2] | static_cast<uint32_t>(cursor[-1]) << 8; }
+uint32_t twoBefore(const uint8_t* cursor) {
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+  uint16_t two;  // one load; compilers do not see it in the form below once its bytes are used apart
+  memcpy(&two, cursor - 2, 2);
+  return two;
+#else
+  return cursor[-2] | static_cast<uint32_t>(cursor[-1]) << 8;
+#endif
+}
 
 /// One lane's running state, kept in registers by the kernels.
 struct Stepper {
@@ -36,8 +44,8 @@ struct Stepper {
     const uint32_t slot = state & ((1u << bits) - 1);
     const NarrowRow row = table->rows[table->lookup[slot]];
     out[i] = row.value;
-    const uint32_t x = row.frequency * (state >> bits) + slot - row.start;
-    const uint32_t two = nextTwo(cursor);
+    const uint32_t x = (row.slots & 0xffff) * (state >> bits) + slot - (row.slots >> 16);
+    const uint32_t two = twoBefore(cursor);
     const bool one_more = x<lowerBound(bits), two_more = x<lowerBound(bits)>> 8;
     uint32_t next = one_more ? x << 8 | two >> 8 : x;
     next = two_more ? x << 16 | two : next;
@@ -154,7 +162,7 @@ void buildNarrowTable(const RansRow* rows, uint32_t row_count, RansValue value, 
     const uint32_t start = rows[row].start, frequency = rows[row + 1].start - start;
     const uint32_t symbol = rows[row].symbol;
     const int32_t written = value == RansValue::kSigned ? fromZigzag(symbol) : static_cast<int32_t>(symbol);
-    table->rows[row] = {static_cast<uint16_t>(frequency), static_cast<uint16_t>(start), written};
+    table->rows[row] = {frequency | start << 16, written};
     memset(table->lookup + start, static_cast<int>(row), frequency);
   }
 }

@@ -102,8 +102,7 @@ inline constexpr uint32_t kRansLanes = 4;
 inline constexpr uint32_t kRansLead = 16;
 
 struct NarrowRow {
-  uint16_t frequency;
-  uint16_t start;
+  uint32_t slots;  ///< frequency, and the first slot shifted by 16: one load for both
   int32_t value;
 };
 

@@ -138,10 +138,10 @@ void expectSame(Reader& reader, const std::vector<uint8_t>& bytes, const CloudCo
   }
 }
 
-class DracoSubset : public testing::TestWithParam<int> {};
+class DracoSubsetSpeed : public testing::TestWithParam<int> {};
 
 /// 11 speeds x 1500 clouds.
-TEST_P(DracoSubset, ReadsWhatLibdracoWrites) {
+TEST_P(DracoSubsetSpeed, ReadsWhatLibdracoWrites) {
   Random random(100 + static_cast<uint64_t>(GetParam()));
   Reader reader(5000);
   for (int round = 0; round < 1500; ++round) {
@@ -156,7 +156,7 @@ TEST_P(DracoSubset, ReadsWhatLibdracoWrites) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Speeds, DracoSubset, testing::Range(0, 11));
+INSTANTIATE_TEST_SUITE_P(Speeds, DracoSubsetSpeed, testing::Range(0, 11));
 
 TEST(DracoSubsetBake, ReadsWhatTheBakeWrites) {
   Random random(7);
@@ -167,6 +167,58 @@ TEST(DracoSubsetBake, ReadsWhatTheBakeWrites) {
     cloud.raw = random.chance(10);
     expectSame(reader, bake::encodeCloud(cloud), cloud);
     if (HasFatalFailure()) return;
+  }
+}
+
+/// What decodeClouds() needs for a set of clouds.
+struct Jobs {
+  std::vector<std::vector<runtime::ColumnSpec>> specs;
+  std::vector<std::vector<std::vector<int32_t>>> values;
+  std::vector<std::vector<int32_t*>> outs;
+  std::vector<runtime::CloudJob> jobs;
+
+  Jobs(const std::vector<CloudColumns>& clouds, const std::vector<std::vector<uint8_t>>& bytes)
+      : specs(clouds.size()), values(clouds.size()), outs(clouds.size()) {
+    for (size_t i = 0; i < clouds.size(); ++i) {
+      for (const CloudColumn& column : clouds[i].columns) {
+        specs[i].push_back({static_cast<uint8_t>(column.components),
+                            column.is_unsigned ? runtime::ColumnKind::kUnsigned : runtime::ColumnKind::kSigned});
+        values[i].emplace_back(column.values.size(), -1);
+      }
+      for (std::vector<int32_t>& column : values[i]) outs[i].push_back(column.data());
+      jobs.push_back({bytes[i].data(), bytes[i].size(), clouds[i].records, specs[i].data(),
+                      static_cast<uint32_t>(specs[i].size()), outs[i].data()});
+    }
+  }
+};
+
+/// Sets of clouds as a page has them, where some wait for their tags while others go on. Damaging one blames that one.
+TEST(DracoSubset, SetsOfCloudsAreReadSideBySide) {
+  Random random(19);
+  std::vector<uint64_t> memory(runtime::decodeScratchSize(2000) / 8 + 1);
+  const runtime::DecodeScratch scratch = {memory.data(), memory.size() * 8};
+  for (int round = 0; round < 400; ++round) {
+    SCOPED_TRACE(round);
+    std::vector<CloudColumns> clouds(1 + random.below(16));
+    std::vector<std::vector<uint8_t>> bytes;
+    for (CloudColumns& cloud : clouds) {
+      cloud = randomCloud(random, 2000, 3);
+      Settings settings;
+      settings.speed = static_cast<int>(random.below(11));
+      if (random.chance(20)) settings.prediction = draco::PREDICTION_DIFFERENCE;
+      bytes.push_back(encodeWith(cloud, settings));
+    }
+    Jobs set(clouds, bytes);
+    const uint32_t count = static_cast<uint32_t>(clouds.size());
+    ASSERT_EQ(runtime::CloudResult::kOk, runtime::decodeClouds(set.jobs.data(), count, scratch, nullptr));
+    for (size_t i = 0; i < clouds.size(); ++i) {
+      for (size_t c = 0; c < clouds[i].columns.size(); ++c) ASSERT_EQ(clouds[i].columns[c].values, set.values[i][c]);
+    }
+    const uint32_t damaged = random.below(count);
+    uint32_t failed = count;
+    --set.jobs[damaged].size;
+    ASSERT_NE(runtime::CloudResult::kOk, runtime::decodeClouds(set.jobs.data(), count, scratch, &failed));
+    ASSERT_EQ(damaged, failed);
   }
 }
 
