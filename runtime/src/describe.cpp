@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "arguments.h"
+#include "asset.h"
+
+using namespace lithe::format;   // NOLINT: the records' field names
+using namespace lithe::runtime;  // NOLINT
+
+namespace {
+
+void loadFloats(const uint8_t* p, uint32_t count, float* out) {
+  for (uint32_t i = 0; i < count; ++i) out[i] = loadF32(p + 4 * i);
+}
+
+lithe_level describeLevel(const Level& level) {
+  lithe_level out = {};
+  out.error = level.entry.error;
+  out.error_rms = level.entry.error_rms;
+  out.triangle_count = level.entry.face_count - level.entry.hidden_count;
+  out.index_count = 3 * out.triangle_count;
+  out.vertex_count = level.entry.wedge_count;
+  out.page_end = level.entry.page_end;
+  out.bytes_end = level.bytes_end;
+  out.joint_count = level.entry.joint_count;
+  return out;
+}
+
+}  // namespace
+
+void lithe_asset_describe(const lithe_asset* asset, lithe_asset_info* out) {
+  if (!asset || !out) return void(invalidArgument());
+  const Info& info = asset->head.info;
+  *out = {};
+  out->file_bytes = asset->head.file_bytes;
+  out->node_count = asset->head.nodes.count;
+  out->joint_count = asset->head.joints.count;
+  out->part_count = asset->head.parts.count;
+  out->material_count = asset->head.materials.count;
+  out->level_count = asset->level_count;
+  out->page_count = asset->page_count;
+  out->vertex_count = info.wedge_count;
+  out->triangle_count = describeLevel(asset->levels[asset->level_count - 1]).triangle_count;
+  out->max_influences = info.max_influences;
+  out->has_normals = info.has_normals;
+  out->has_tangents = info.has_tangents;
+  out->uv_sets = info.uv_sets;
+  out->color_sets = info.color_sets;
+  // The middle of the grid is the snorm16's zero: the two have the same step, so a position is exact in either.
+  const float middle = static_cast<float>(1u << (info.position_bits - 1));
+  out->position_scale = info.grid_step * 32767;
+  for (uint32_t c = 0; c < 3; ++c) {
+    out->position_offset[c] = bindCoordinate(info, c, middle);
+    out->box_min[c] = bindCoordinate(info, c, static_cast<float>(info.grid_min[c]));
+    out->box_max[c] = bindCoordinate(info, c, static_cast<float>(info.grid_max[c]));
+  }
+  out->rest_diagonal = info.rest_diagonal;
+  out->posed_diagonal = info.posed_diagonal;
+}
+
+lithe_result lithe_asset_node(const lithe_asset* asset, uint32_t index, lithe_node* out) {
+  if (!asset || !out || index >= asset->head.nodes.count) return invalidArgument();
+  const uint8_t* p = asset->head.nodes.record(index);
+  out->name = nameAt(*asset, loadU32(p + node::kNameAt));
+  out->parent = loadU32(p + node::kParentAt);
+  loadFloats(p + node::kTranslationAt, 3, out->translation);
+  loadFloats(p + node::kRotationAt, 4, out->rotation);
+  loadFloats(p + node::kScaleAt, 3, out->scale);
+  return LITHE_OK;
+}
+
+lithe_result lithe_asset_joint(const lithe_asset* asset, uint32_t index, lithe_joint* out) {
+  if (!asset || !out || index >= asset->head.joints.count) return invalidArgument();
+  const uint8_t* p = asset->head.joints.record(index);
+  out->node = loadU32(p + joint::kNodeAt);
+  loadFloats(p + joint::kInverseBindAt, 12, out->inverse_bind);
+  for (uint32_t c = 0; c < 3; ++c) {
+    out->box_min[c] = bindCoordinate(asset->head.info, c, loadU16(p + joint::kBoxMinAt + 2 * c));
+    out->box_max[c] = bindCoordinate(asset->head.info, c, loadU16(p + joint::kBoxMaxAt + 2 * c));
+  }
+  return LITHE_OK;
+}
+
+lithe_result lithe_asset_part(const lithe_asset* asset, uint32_t index, lithe_part* out) {
+  if (!asset || !out || index >= asset->head.parts.count) return invalidArgument();
+  const uint8_t* p = asset->head.parts.record(index);
+  out->name = nameAt(*asset, loadU32(p + part::kNameAt));
+  out->material_index = loadU32(p + part::kMaterialAt);
+  out->rigid_node = loadU32(p + part::kRigidNodeAt);
+  out->material = "";
+  if (out->material_index != LITHE_NO_INDEX)
+    out->material = nameAt(*asset, loadU32(asset->head.materials.record(out->material_index) + material::kNameAt));
+  return LITHE_OK;
+}
+
+lithe_result lithe_asset_level(const lithe_asset* asset, uint32_t index, lithe_level* out) {
+  if (!asset || !out || index >= asset->level_count) return invalidArgument();
+  *out = describeLevel(asset->levels[index]);
+  return LITHE_OK;
+}
+
+lithe_result lithe_asset_page(const lithe_asset* asset, uint32_t index, lithe_page* out) {
+  if (!asset || !out || index >= asset->page_count) return invalidArgument();
+  const PageEntry entry = pageEntry(*asset, index);
+  *out = {asset->page_offset[index], entry.size, entry.level};
+  return LITHE_OK;
+}
+
+void lithe_asset_hierarchy(const lithe_asset* asset, lithe_hierarchy* out) {
+  if (!asset || !out) return void(invalidArgument());
+  const Decoded& d = asset->decoded;
+  *out = {};
+  out->node_count = d.node_count;
+  out->wedge_count = d.wedge_count;
+  out->face_count = d.face_count;
+  out->node_position = d.node_position;
+  out->node_parent = d.node_parent;
+  out->node_first_child = d.node_first_child;
+  out->wedge_node = d.wedge_node;
+  out->wedge_parent = d.wedge_parent;
+  out->wedge_part = d.wedge_part;
+  out->face_wedges = d.face_wedges;
+  for (uint32_t c = 0; c < 3; ++c) out->grid_origin[c] = asset->head.info.grid_origin[c];
+  out->grid_step = asset->head.info.grid_step;
+}
+
+lithe_result lithe_asset_level_extent(const lithe_asset* asset, uint32_t level, lithe_level_extent* out) {
+  if (!asset || !out || level >= asset->level_count) return invalidArgument();
+  const LevelEntry& entry = asset->levels[level].entry;
+  *out = {entry.node_count, entry.wedge_count, entry.face_count};
+  return LITHE_OK;
+}
