@@ -234,6 +234,7 @@ class Decoder {
       if (!decodeWide(work_->wide, stream, value, count, out)) return CloudResult::kStream;
       return finishColumn(cloud);
     }
+    // The stream lies behind the cloud's header, which is longer than the kRansLead bytes that a lane may look back.
     const uint32_t k = freeLane();
     buildNarrowTable(rows_, row_count, value, &work_->narrow[k]);
     lanes_[k] = {&work_->narrow[k], limits.precision, reader.bytes, stream, out, count};

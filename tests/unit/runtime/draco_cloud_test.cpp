@@ -226,6 +226,12 @@ TEST(DracoCloud, CallersMistakesAreRefused) {
   EXPECT_EQ(CloudResult::kArgument, decode(kMaxCloudRecords + 1, cloud.columns, SIZE_MAX, 0));
 }
 
+TEST(DracoCloud, ScratchGrowsWithTheRecordsUpToALimit) {
+  EXPECT_LT(decodeScratchSize(1), 265u * 1024);
+  EXPECT_EQ(decodeScratchSize(1) + 32 * 999, decodeScratchSize(1000));
+  EXPECT_LT(decodeScratchSize(kMaxCloudRecords), 2355u * 1024);
+}
+
 // ---- Hostile bytes
 // ----------------------------------------------------------------------------------------------------
 
