@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 the lithe authors
+// SPDX-License-Identifier: MIT
+#include "kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "kernel_templates.h"
+#include "random.h"
+
+namespace lithe::bake {
+namespace {
+
+Lanes randomLanes(lithe::test::Random& random, double extent) {
+  Lanes lanes;
+  for (uint32_t i = 0; i < kLanes; ++i) lanes[i] = static_cast<float>(extent * (2.0 * random.unit() - 1.0));
+  return lanes;
+}
+
+PosedPoint randomPoint(lithe::test::Random& random, double extent = 1.0) {
+  return {randomLanes(random, extent), randomLanes(random, extent), randomLanes(random, extent)};
+}
+
+ScalarLanes scalar(const Lanes& lanes) {
+  ScalarLanes result;
+  for (uint32_t i = 0; i < kLanes; ++i) result[i] = lanes[i];
+  return result;
+}
+
+Vec3<ScalarLanes> scalar(const PosedPoint& p) { return {scalar(p.x), scalar(p.y), scalar(p.z)}; }
+
+QuadricOf<ScalarLanes> scalar(const Quadric& q) {
+  return {scalar(q.xx), scalar(q.xy), scalar(q.xz), scalar(q.yy), scalar(q.yz),
+          scalar(q.zz), scalar(q.bx), scalar(q.by), scalar(q.bz), scalar(q.c)};
+}
+
+void expectSameBits(const Lanes& a, const ScalarLanes& b) {
+  for (uint32_t i = 0; i < kLanes; ++i) {
+    const float x = a[i], y = b[i];
+    EXPECT_EQ(std::memcmp(&x, &y, sizeof x), 0) << x << " and " << y;
+  }
+}
+
+Quadric randomQuadric(lithe::test::Random& random) {
+  Quadric q{};
+  for (int i = 0; i < 3; ++i) {
+    addPlane(q, randomPoint(random), randomLanes(random, 0.3), randomLanes(random, 1.0) + 1.0f);
+  }
+  return q;
+}
+
+PosedPoint samePoint(float x, float y, float z) {
+  const Lanes zero{};
+  return {zero + x, zero + y, zero + z};
+}
+
+TEST(Kernels, FansMatchTheScalarSpecification) {
+  lithe::test::Random random(1);
+  for (int run = 0; run < 50; ++run) {
+    PosedPoint corner = randomPoint(random), next = randomPoint(random), last = randomPoint(random);
+    next.x[3] = corner.x[3];  // lane 3 has no area: its corners coincide
+    next.y[3] = corner.y[3];
+    next.z[3] = corner.z[3];
+    const FanFace face{&corner, &next, &last, run % 2 ? 1.0f : 0.0f, run % 3 ? 0.1f : 0.0f};
+    Symmetric fan;
+    fanQuadric({&face, 1}, 1, &fan);
+    SymmetricOf<ScalarLanes> expected{};
+    addFanFace(expected, scalar(corner), scalar(next), scalar(last), face.next_weight, face.last_weight);
+    expectSameBits(fan.xx, expected.xx);
+    expectSameBits(fan.yz, expected.yz);
+    expectSameBits(fan.zz, expected.zz);
+    EXPECT_EQ(fan.xx[3], 0.0f);
+  }
+}
+
+TEST(Kernels, EnergiesMatchTheScalarSpecification) {
+  lithe::test::Random random(2);
+  for (int run = 0; run < 50; ++run) {
+    const Quadric q = randomQuadric(random);
+    const PosedPoint origin = randomPoint(random), point = randomPoint(random);
+    const float found = energy(&q, &origin, &point, 1);
+    EXPECT_EQ(found, laneSum(energyAt(scalar(q), scalar(point) - scalar(origin)) + ScalarLanes{}));
+  }
+}
+
+TEST(Kernels, NormalEquationsMatchTheScalarSpecification) {
+  lithe::test::Random random(3);
+  for (int run = 0; run < 50; ++run) {
+    const Quadric q = randomQuadric(random);
+    const PosedPoint origin = randomPoint(random), point = randomPoint(random);
+    Affine blend;
+    ScalarLanes m[3][4];
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 4; ++column) {
+        blend.m[row][column] = randomLanes(random, 1.0);
+        m[row][column] = scalar(blend.m[row][column]);
+      }
+    }
+    const NormalEquations found = normalEquations(&q, &blend, &origin, &point, 1);
+    NormalTerms<ScalarLanes> expected{};
+    addNormalTerms(expected, scalar(q), m, scalar(point) - scalar(origin));
+    EXPECT_EQ(found.xx, laneSum(expected.xx));
+    EXPECT_EQ(found.yz, laneSum(expected.yz));
+    EXPECT_EQ(found.gz, laneSum(expected.gz));
+  }
+}
+
+TEST(Kernels, AFaceCountsAThirdOfItsAreaAtEachCorner) {
+  // Corners (0,0), (2,0), (0,3): area 3, in the plane z = 0.
+  const PosedPoint a = samePoint(0, 0, 0), b = samePoint(2, 0, 0), c = samePoint(0, 3, 0);
+  const FanFace face{&a, &b, &c};
+  Symmetric fan;
+  fanQuadric({&face, 1}, 1, &fan);
+  EXPECT_FLOAT_EQ(fan.zz[0], 1.0f);
+  EXPECT_EQ(fan.xx[0], 0.0f);
+  EXPECT_EQ(fan.xy[0], 0.0f);
+}
+
+TEST(Kernels, ABorderEdgeCountsAQuarterOfItsSquaredLengthAtEachEnd) {
+  const PosedPoint a = samePoint(0, 0, 0), b = samePoint(2, 0, 0), c = samePoint(0, 3, 0);
+  const FanFace face{&a, &b, &c, 1.0f, 0.0f};  // the edge a-b, along x: its plane is y = 0
+  Symmetric fan;
+  fanQuadric({&face, 1}, 1, &fan);
+  EXPECT_FLOAT_EQ(fan.yy[0], 1.0f);
+  EXPECT_FLOAT_EQ(fan.zz[0], 1.0f);
+  EXPECT_EQ(fan.xx[0], 0.0f);
+}
+
+TEST(Kernels, ShiftingAndSummingKeepTheFunction) {
+  lithe::test::Random random(4);
+  const Quadric qa = randomQuadric(random), qb = randomQuadric(random);
+  const PosedPoint a = randomPoint(random), b = randomPoint(random), parent = randomPoint(random),
+                   point = randomPoint(random);
+  const float expected = energy(&qa, &a, &point, 1) + energy(&qb, &b, &point, 1);
+  Quadric about_a, about_parent;
+  combine(&qa, &qb, &a, &b, 1, &about_a);
+  accumulate(&qa, &qb, &a, &b, &parent, 1, &about_parent);
+  EXPECT_NEAR(energy(&about_a, &a, &point, 1), expected, 1e-4 * expected);
+  EXPECT_NEAR(energy(&about_parent, &parent, &point, 1), expected, 1e-4 * expected);
+}
+
+TEST(Kernels, WeightTermsAreTheEnergyOfBlends) {
+  lithe::test::Random random(5);
+  const Quadric q = randomQuadric(random);
+  const PosedPoint origin = randomPoint(random);
+  const PosedPoint candidates[2] = {randomPoint(random), randomPoint(random)};
+  double H[4], h[2];
+  weightTerms(&q, &origin, candidates, 2, 1, H, h);
+  const double constant = laneSum(q.c);
+  for (const double w : {0.0, 0.25, 0.5, 1.0}) {
+    const auto f = static_cast<float>(w);
+    const PosedPoint blend{candidates[0].x * f + candidates[1].x * (1.0f - f),
+                           candidates[0].y * f + candidates[1].y * (1.0f - f),
+                           candidates[0].z * f + candidates[1].z * (1.0f - f)};
+    const double v = 1.0 - w;
+    const double quadratic = w * w * H[0] + 2.0 * w * v * H[1] + v * v * H[3] + 2.0 * (w * h[0] + v * h[1]) + constant;
+    EXPECT_NEAR(quadratic, energy(&q, &origin, &blend, 1), 1e-3);
+  }
+}
+
+TEST(Kernels, CountsThePosesInWhichATriangleTurnsOver) {
+  const PosedPoint corner = samePoint(0, 0, 0), next = samePoint(1, 0, 0), last = samePoint(0, 1, 0);
+  PosedPoint moved = samePoint(0.1f, 0.1f, 0.0f);
+  const FanFace face{&corner, &next, &last};
+  EXPECT_EQ(countFlips(face, &moved, 1), 0u);
+  for (const uint32_t lane : {1u, 6u}) {
+    moved.x[lane] = 2.0f;
+    moved.y[lane] = 2.0f;
+  }
+  EXPECT_EQ(countFlips(face, &moved, 1), 2u);
+}
+
+}  // namespace
+}  // namespace lithe::bake
