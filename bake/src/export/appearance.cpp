@@ -56,7 +56,7 @@ void embedView(const Source& source, Json& image, const std::string& place, Gltf
   if (offset > bytes.size() || length > bytes.size() - offset) {
     source.name.fail(place, "its bytes reach beyond its buffer; re-export the file");
   }
-  image["bufferView"] = gltf.addView(std::span<const uint8_t>(bytes).subspan(offset, length), ViewTarget::kNone);
+  image["bufferView"] = gltf.addView(std::span<const uint8_t>(bytes).subspan(offset, length), ViewTarget::kPlain);
 }
 
 /// Puts an image file into the buffer if it is there; one that is missing stays referred to.
@@ -69,7 +69,7 @@ void embedFile(const Source& source, Json& image, GltfBuilder& gltf) {
   if (!std::filesystem::is_regular_file(file, failure)) return;
   image.erase("uri");
   image["mimeType"] = media_type;
-  image["bufferView"] = gltf.addView(readWholeFile(source.name, file), ViewTarget::kNone);
+  image["bufferView"] = gltf.addView(readWholeFile(source.name, file), ViewTarget::kPlain);
 }
 
 void copyImages(const Source& source, GltfBuilder& gltf) {

@@ -52,7 +52,7 @@ using TimeAccessors = std::map<std::vector<float>, uint32_t>;
 uint32_t timesAccessor(const Channel& channel, TimeAccessors& known, GltfBuilder& gltf) {
   const auto found = known.find(channel.times);
   if (found != known.end()) return found->second;
-  const uint32_t accessor = gltf.addFloats(channel.times, "SCALAR", ViewTarget::kNone, true);
+  const uint32_t accessor = gltf.addFloats(channel.times, "SCALAR", ViewTarget::kPlain, true);
   known.emplace(channel.times, accessor);
   return accessor;
 }
@@ -60,7 +60,7 @@ uint32_t timesAccessor(const Channel& channel, TimeAccessors& known, GltfBuilder
 Json samplerOf(const Channel& channel, TimeAccessors& known, GltfBuilder& gltf) {
   const uint32_t input = timesAccessor(channel, known, gltf);
   const char* type = channel.path == Channel::Path::kRotation ? "VEC4" : "VEC3";
-  const uint32_t output = gltf.addFloats(outputsOf(channel), type, ViewTarget::kNone);
+  const uint32_t output = gltf.addFloats(outputsOf(channel), type, ViewTarget::kPlain);
   return {{"input", input}, {"interpolation", interpolationName(channel.interpolation)}, {"output", output}};
 }
 

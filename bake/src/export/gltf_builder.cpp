@@ -47,7 +47,7 @@ uint32_t GltfBuilder::append(const char* name, Json entry) {
 uint32_t GltfBuilder::addView(std::span<const uint8_t> bytes, ViewTarget target) {
   binary.resize((binary.size() + 3) / 4 * 4, 0);
   Json view = {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}};
-  if (target != ViewTarget::kNone) view["target"] = static_cast<uint16_t>(target);
+  if (target != ViewTarget::kPlain) view["target"] = static_cast<uint16_t>(target);
   binary.insert(binary.end(), bytes.begin(), bytes.end());
   return append("bufferViews", std::move(view));
 }

@@ -14,7 +14,7 @@ namespace lithe::bake {
 
 using Json = nlohmann::ordered_json;
 
-enum class ViewTarget : uint16_t { kNone = 0, kVertices = 34962, kIndices = 34963 };
+enum class ViewTarget : uint16_t { kPlain = 0, kVertices = 34962, kIndices = 34963 };
 
 struct GltfBuilder {
   Json json;

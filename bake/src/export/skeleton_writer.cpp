@@ -85,7 +85,7 @@ uint32_t writeSkin(const Model& model, GltfBuilder& gltf) {
   }
   const std::set<uint32_t> roots = rootsOfJoints(model);
   if (roots.size() > 1) joinRoots(roots, gltf);
-  const uint32_t accessor = gltf.addFloats(inverse_binds, "MAT4", ViewTarget::kNone);
+  const uint32_t accessor = gltf.addFloats(inverse_binds, "MAT4", ViewTarget::kPlain);
   return gltf.append("skins", {{"inverseBindMatrices", accessor}, {"joints", std::move(joints)}});
 }
 
