@@ -9,8 +9,14 @@ answers 0 "Exit codes: 0 done, 1 bad input or failed check" --help
 for command in bake info export compare verify generate; do
   answers 0 "Usage: lithe $command" "$command" --help
   answers 2 "see lithe $command --help" "$command"
-  answers 2 "--no-such-option" "$command" a b c --no-such-option
 done
+answers 2 "--no-such-option" bake a -o b --no-such-option
+answers 2 "--no-such-option" info a --no-such-option
+answers 2 "--no-such-option" export a -o b --level 0 --no-such-option
+answers 2 "--no-such-option" compare a b --no-such-option
+answers 2 "--no-such-option" verify a --no-such-option
+answers 2 "--no-such-option" generate column -o b --no-such-option
+answers 2 "extra" info a extra
 
 answers 2 "see lithe --help"
 answers 2 "there is no command 'cook' (see lithe --help)" cook hero.glb

@@ -13,31 +13,6 @@
 namespace lithe::bake {
 namespace {
 
-/// The report's name for each stream's bytes.
-const char* kindOf(format::PageKind page, uint32_t stream) {
-  if (page == format::kBasePage) return "base";
-  switch (stream) {
-    case format::kSplits:
-      return "splits";
-    case format::kNormals:
-      return "normals";
-    case format::kTangents:
-      return "tangents";
-    case format::kColors:
-      return "colours";
-    case format::kSkinD:
-    case format::kSkinE:
-    case format::kSkinNew:
-      return "skin";
-    case format::kWedgeClasses:
-    case format::kWedgePicks:
-    case format::kExtras:
-      return "wedges";
-    default:
-      return stream >= format::kUv0 ? "uvs" : "connectivity";
-  }
-}
-
 class FileEncoder {
  public:
   explicit FileEncoder(const EncodeInput& input) : in_(input), cut_(input.hierarchy) {
@@ -105,7 +80,7 @@ class FileEncoder {
     PageBytes bytes;
     entry.bytes = writePage(page, &bytes);
     for (size_t s = 0; s < bytes.streams.size(); ++s)
-      kinds_[kindOf(page.kind, static_cast<uint32_t>(s))] += bytes.streams[s];
+      kinds_[streamKind(page.kind, static_cast<uint32_t>(s))] += bytes.streams[s];
     kinds_["low bits"] += bytes.low_bits;
     kinds_["page tables"] += bytes.overhead;
     pages_.push_back(std::move(entry));
@@ -156,6 +131,30 @@ class FileEncoder {
 };
 
 }  // namespace
+
+const char* streamKind(format::PageKind page, uint32_t stream) {
+  if (page == format::kBasePage) return "base";
+  switch (stream) {
+    case format::kSplits:
+      return "splits";
+    case format::kNormals:
+      return "normals";
+    case format::kTangents:
+      return "tangents";
+    case format::kColors:
+      return "colours";
+    case format::kSkinD:
+    case format::kSkinE:
+    case format::kSkinNew:
+      return "skin";
+    case format::kWedgeClasses:
+    case format::kWedgePicks:
+    case format::kExtras:
+      return "wedges";
+    default:
+      return stream >= format::kUv0 ? "uvs" : "connectivity";
+  }
+}
 
 std::vector<uint8_t> encodeFile(const EncodeInput& input, EncodeReport* report) {
   return FileEncoder(input).run(report);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "asset.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "files.h"
 #include "lithe/bake/model.h"
+#include "lithe/format/file.h"
 
 namespace lithe::tool {
 namespace {
@@ -51,6 +53,12 @@ const char* adviceFor(lithe_result result) {
   }
 }
 
+/// Whether so few bytes that the reader wants more could still be the beginning of a .lithe file.
+bool startsLikeAsset(std::span<const uint8_t> bytes) {
+  const size_t count = std::min(bytes.size(), sizeof format::kMagic);
+  return std::equal(bytes.begin(), bytes.begin() + count, format::kMagic);
+}
+
 /// Calls one of the runtime's getters, whose only error is an index out of range: a bug of the caller.
 template <typename Record>
 Record get(lithe_result (*getter)(const lithe_asset*, uint32_t, Record*), const lithe_asset* asset, uint32_t index) {
@@ -69,7 +77,8 @@ Asset Asset::openBytes(std::vector<uint8_t> bytes, std::string name) {
   asset.bytes_ = std::move(bytes);
   lithe_diagnosis diagnosis{};
   lithe_result result = lithe_peek(asset.bytes_.data(), asset.bytes_.size(), &asset.head_bytes_);
-  if (result == LITHE_PENDING) result = LITHE_ERROR_TRUNCATED;
+  if (result == LITHE_PENDING)
+    result = startsLikeAsset(asset.bytes_) ? LITHE_ERROR_TRUNCATED : LITHE_ERROR_NOT_THIS_FORMAT;
   if (result != LITHE_OK) asset.refuse(result, diagnosis, "header");
   lithe_asset* opened = nullptr;
   result = lithe_asset_open(&kAllocator, asset.bytes_.data(), asset.bytes_.size(), &diagnosis, &opened);

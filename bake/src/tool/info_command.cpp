@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-/// `lithe info`: what a file holds, from its head alone; no page is decoded.
+/// `lithe info`: what a file holds, from its tables; no page is decoded.
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "asset.h"
 #include "command.h"
+#include "page_bytes.h"
 #include "text.h"
 
 namespace lithe::tool {
@@ -63,6 +64,7 @@ Json describe(const Asset& asset) {
     const lithe_page page = asset.page(i);
     json["pages"].push_back({{"level", page.level}, {"offset", page.offset}, {"bytes", page.size}});
   }
+  for (const auto& [kind, bytes] : bytesByKind(asset)) json["kinds"][kind] = bytes;
   for (uint32_t i = 0; i < info.part_count; ++i) json["parts"].push_back(partJson(asset, i));
   return json;
 }
@@ -102,6 +104,15 @@ std::string pageTable(const Json& pages) {
   return table(rows);
 }
 
+std::string kindTable(const Json& kinds, uint64_t file_bytes) {
+  std::vector<std::vector<std::string>> rows{{"bytes of", "bytes", "share"}};
+  for (const auto& [kind, bytes] : kinds.items()) {
+    const double share = 100 * bytes.get<double>() / static_cast<double>(file_bytes);
+    rows.push_back({kind, grouped(bytes), format("%.1f %%", share)});
+  }
+  return table(rows, 1);
+}
+
 std::string partTable(const Json& parts) {
   std::vector<std::vector<std::string>> rows{{"part", "material", "hangs on"}};
   for (const Json& part : parts) {
@@ -121,6 +132,7 @@ std::string text(const Json& json) {
                 json["posed_diagonal"].get<double>());
   out += "\n" + levelTable(json["levels"], json["head_bytes"]);
   out += "\n" + pageTable(json["pages"]);
+  out += "\n" + kindTable(json["kinds"], json["bytes"]);
   out += "\n" + partTable(json["parts"]);
   return out;
 }

@@ -10,6 +10,7 @@
 #include "lithe/bake/hierarchy.h"
 #include "lithe/bake/mesh.h"
 #include "lithe/bake/model.h"
+#include "lithe/format/page.h"
 
 namespace lithe::bake {
 
@@ -47,6 +48,9 @@ struct EncodeReport {
   uint64_t head_bytes = 0;
   uint64_t file_bytes = 0;
 };
+
+/// What a stream of a page is counted as in EncodeReport::kinds: "base", "splits", "connectivity", "skin", "uvs", ...
+const char* streamKind(format::PageKind page, uint32_t stream);
 
 /// Throws Error when the model is beyond the format's limits.
 std::vector<uint8_t> encodeFile(const EncodeInput& input, EncodeReport* report);
