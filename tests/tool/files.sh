@@ -54,14 +54,11 @@ if [ "$(id -u)" != 0 ]; then
   rmdir closed
 fi
 # A disk that fills up while writing: files may not grow beyond 4 KiB here.
-when_full() {
-  local failed=0
-  (trap '' XFSZ && ulimit -f 4 && failures=0 && "$@" && exit $failures) || failed=$?
-  failures=$((failures + failed))
-}
+# shellcheck disable=SC2030,SC2031
+when_full() { (trap '' XFSZ && ulimit -f 4 && failures=0 && "$@" && finish) || complain "with a full disk"; }
 when_full answers 1 "out.lithe: cannot be written: File too large" bake "$characters/small.glb" -o out.lithe
 when_full answers 1 "out.glb: " export "$characters/column.lithe" -o out.glb --level 0
-when_full answers 1 "out.gltf: " export "$characters/column.lithe" -o out.gltf --level 0
+when_full answers 1 "out.bin: " export "$characters/column.lithe" -o out.gltf --level 0
 when_full answers 1 "out.glb: " generate column -o out.glb
 holds_only folder ""
 holds_only . folder out err text.glb short.glb empty.lithe short.lithe shorter.lithe longer.lithe flipped.lithe
