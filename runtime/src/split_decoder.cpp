@@ -4,11 +4,10 @@
 
 #include <string.h>
 
-#include <algorithm>
-
 #include "lithe/format/file.h"
 #include "lithe/format/octahedral.h"
 #include "page_base.h"
+#include "sort.h"
 
 namespace lithe::runtime {
 namespace {
@@ -67,7 +66,7 @@ bool SplitDecoder::gatherFan(uint32_t node) {
   }
   work_ += count;
   if (work_ > format::kMaxPageWork) return false;
-  std::sort(scratch_.corner, scratch_.corner + count);
+  sortValues(scratch_.corner, count);
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t corner = scratch_.corner[i], k = corner % 3, first = corner - k;
     scratch_.wedge[i] = out_->face_wedges[corner];
@@ -137,22 +136,24 @@ uint32_t SplitDecoder::listedNode(uint32_t neighbour_count, uint32_t* node) {
 uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
   format::Neighbourhood sum[2] = {};
   const int32_t* w = out_->node_position + 3 * static_cast<size_t>(node);
-  int32_t least[3] = {w[0], w[1], w[2]}, greatest[3] = {w[0], w[1], w[2]};
+  int32_t low_end[3] = {w[0], w[1], w[2]}, high_end[3] = {w[0], w[1], w[2]};
   for (uint32_t i = 0; i < fan_.count; ++i) {
     format::Neighbourhood& side = sum[scratch_.at_b[i]];
     side.count += 2;
-    for (uint32_t neighbour : {fan_.next[i], fan_.previous[i]}) {
+    const uint32_t neighbours[2] = {fan_.next[i], fan_.previous[i]};
+    for (uint32_t neighbour : neighbours) {
       const int32_t* p = out_->node_position + 3 * static_cast<size_t>(neighbour);
       side.x += p[0];
       side.y += p[1];
       side.z += p[2];
       for (int c = 0; c < 3; ++c) {
-        least[c] = std::min(least[c], p[c]);
-        greatest[c] = std::max(greatest[c], p[c]);
+        low_end[c] = least(low_end[c], p[c]);
+        high_end[c] = greatest(high_end[c], p[c]);
       }
     }
   }
-  const int32_t extent = std::max(greatest[0] - least[0], std::max(greatest[1] - least[1], greatest[2] - least[2]));
+  const int32_t extent =
+      greatest(high_end[0] - low_end[0], greatest(high_end[1] - low_end[1], high_end[2] - low_end[2]));
   const int32_t low = format::lowBits(static_cast<uint32_t>(extent), streams_->parameters[format::kPositionBias]);
   const int32_t laplacian = streams_->parameters[format::kLaplacian];
 
@@ -170,7 +171,7 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
   const format::Int3 difference{d[0], d[1], d[2]};
   const int32_t step = format::latticeStep(difference, format_.placement_shift);
   extent_ =
-      static_cast<uint32_t>(std::max(format::absolute(d[0]), std::max(format::absolute(d[1]), format::absolute(d[2]))));
+      static_cast<uint32_t>(greatest(format::absolute(d[0]), greatest(format::absolute(d[1]), format::absolute(d[2]))));
 
   const uint32_t child_a = out_->node_count, child_b = child_a + 1;
   for (uint32_t c = 0; c < 3; ++c) {
@@ -180,7 +181,7 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
     out_->node_position[3 * static_cast<size_t>(child_a) + c] = static_cast<int32_t>(a);
     out_->node_position[3 * static_cast<size_t>(child_b) + c] = static_cast<int32_t>(b);
   }
-  for (uint32_t child : {child_a, child_b}) {
+  for (uint32_t child = child_a; child <= child_b; ++child) {
     out_->node_parent[child] = node;
     out_->node_first_child[child] = kNoIndex;
     out_->node_first_corner[child] = kNoIndex;
@@ -246,7 +247,8 @@ bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, int32_t t8, co
   const format::Int2 x{parent[0] - format::eighths(d.x, t8), parent[1] - format::eighths(d.y, t8)};
   const format::Int2 at_b = format::octahedralFold(x, center);
   const format::Int2 at_a = format::octahedralFold({x.x + d.x, x.y + d.y}, center);
-  for (format::Int2 p : {at_a, at_b})
+  const format::Int2 points[2] = {at_a, at_b};
+  for (format::Int2 p : points)
     if (p.x < 0 || p.x > size || p.y < 0 || p.y > size) return false;
   a[0] = static_cast<uint16_t>(at_a.x);
   a[1] = static_cast<uint16_t>(at_a.y);
@@ -348,8 +350,8 @@ uint32_t SplitDecoder::addFaces() {
   uint32_t* sorted = scratch_.sorted;
   memcpy(sorted, fan_.next, fan_.count * sizeof(uint32_t));
   memcpy(sorted + fan_.count, fan_.previous, fan_.count * sizeof(uint32_t));
-  std::sort(sorted, sorted + 2 * fan_.count);
-  const uint32_t neighbours = static_cast<uint32_t>(std::unique(sorted, sorted + 2 * fan_.count) - sorted);
+  sortValues(sorted, 2 * fan_.count);
+  const uint32_t neighbours = dropRepeated(sorted, 2 * fan_.count);
   for (uint32_t i = 0; i < face_count_; ++i) {
     const int32_t orientation = streams_->values[format::kGeneral][0].next();
     NewFace face{0, orientation == 0, kNoIndex, false};
@@ -408,7 +410,7 @@ bool makeSkin(const PageFormat& format, WeightEntry* entries, uint32_t count, No
     if (entries[i].weight > 0) entries[kept++] = entries[i];
   }
   if (kept == 0 || kept > format.max_influences) return false;
-  std::sort(entries, entries + kept, [](const WeightEntry& x, const WeightEntry& y) {
+  sortValues(entries, kept, [](const WeightEntry& x, const WeightEntry& y) {
     return x.weight != y.weight ? x.weight > y.weight : x.joint < y.joint;
   });
   *skin = {};
