@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 the lithe authors
+# SPDX-License-Identifier: MIT
+# lithe beside meshoptimizer and gltfpack on the same skinned characters, at the same triangle counts, as one markdown table.
+#
+#     tests/bench/peers/run.sh FILE... [--ratios 0.5,0.2,0.1,0.05] [--methods meshopt,meshopt-attr,...]
+#         [--anim all|NAME] [--frames N]                     what is measured
+#         [--train all|CLIP] [--train-frames N] [--phase mid|ends]   poses shown to lithe and to meshopt-poses*
+#         [--column]                                         attribute weights tuned for the column
+#         [--keep FOLDER]                                    keep the simplified files and the reports
+#
+# Environment: LITHE  the tool (default build/release/bake/lithe, else the one in PATH)
+# Needs Node 20; the peers come from npm, in the versions of package-lock.json.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+built=$here/../../../build/release/bake/lithe
+if [ -z "${LITHE:-}" ] && [ -x "$built" ]; then LITHE=$built; fi
+export LITHE=${LITHE:-lithe}
+[ $# -gt 0 ] || { sed -n '6,13s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[ -d "$here/node_modules/meshoptimizer" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
+exec node "$here/run.mjs" "$@"
