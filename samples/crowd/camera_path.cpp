@@ -19,7 +19,7 @@ constexpr std::array<Key, 7> kKeys{{{0.0f, {6.0f, 27.0f, 58.0f}, {0.0f, 0.0f, 4.
                                     {9.0f, {-9.0f, 3.4f, 17.0f}, {0.5f, 0.8f, 0.0f}},
                                     {13.0f, {-2.4f, 1.7f, 6.4f}, {0.2f, 0.8f, 0.0f}},
                                     {17.0f, {0.2f, 1.45f, 3.3f}, {0.05f, 0.85f, 0.0f}},
-                                    {20.0f, {0.55f, 1.55f, 1.5f}, {0.0f, 1.35f, 0.0f}},
+                                    {20.0f, {0.42f, 1.70f, 1.05f}, {0.0f, 1.58f, 0.0f}},
                                     {26.0f, {16.0f, 9.0f, 26.0f}, {0.0f, 0.5f, 0.0f}}}};
 
 constexpr float kLowHeight = 3.6f;   ///< below it the camera may meet somebody's head

@@ -44,14 +44,13 @@ void countDraws(const sample::DrawList& list, std::span<const sample::Character>
 
 std::vector<std::string> textLines(const FrameStats& stats) {
   return {
-      grouped(stats.seen) + " of " + grouped(stats.instances) + " instances seen, " + grouped(stats.limited) +
-          " waiting for pages",
-      grouped(stats.triangles) + " triangles in " + std::to_string(stats.draws) + " draws (" +
-          grouped(stats.finest_triangles) + " at the finest)",
+      grouped(stats.seen) + " of " + grouped(stats.instances) + " instances seen",
+      grouped(stats.triangles) + " triangles, " + std::to_string(stats.draws) + " draws",
+      grouped(stats.finest_triangles) + " at the finest levels",
       format("%.2f of %.2f MB streamed at %.1f s", megabytes(stats.streamed_bytes), megabytes(stats.file_bytes),
              stats.seconds),
       format("%.1f MB resident, %.1f MB on the GPU", megabytes(stats.resident_bytes), megabytes(stats.gpu_bytes)),
-      format("selection %.3f ms, draw lists %.3f ms", stats.select_ms, stats.draws_ms),
+      format("levels chosen in %.3f ms", stats.select_ms + stats.draws_ms),
   };
 }
 

@@ -13,25 +13,51 @@
 
 namespace {
 
-constexpr double kStep = 1.0 / 30;  ///< simulated seconds from one choice of levels to the next
+constexpr double kStep = 1.0 / 30;        ///< simulated seconds from one choice of levels to the next
+constexpr uint32_t kStepsPerMoment = 10;  ///< of the timeline in crowd.json
 
-std::string pictureName(uint32_t index) {
-  char name[32];
-  std::snprintf(name, sizeof name, "crowd_%03u.png", index);
+std::string pictureName(uint32_t index, const char* suffix = "") {
+  char name[48];
+  std::snprintf(name, sizeof name, "crowd_%03u%s.png", index, suffix);
   return name;
 }
 
 /// The pictures lie evenly on the path, its first and last point included.
 double pictureTime(uint32_t index, uint32_t count) { return count < 2 ? 0 : cameraPathSeconds() * index / (count - 1); }
 
-/// Simulated time runs in even steps whatever the number of pictures, so each picture sees the same pages arrive.
-void advanceTo(Viewer& viewer, double& now, double seconds) {
-  do {
-    const double step = std::min(kStep, seconds - now);
-    now += step;
-    viewer.advance(step, cameraAt(now), true);
-  } while (now < seconds);
-}
+/// The crowd's way along the path, and what crowd.json keeps of it.
+class Journey {
+ public:
+  explicit Journey(Viewer& viewer) : viewer_(viewer) {}
+
+  /// Simulated time runs in even steps whatever the number of pictures, so each picture sees the same pages arrive.
+  void advanceTo(double seconds) {
+    do {
+      const double step = std::min(kStep, seconds - now_);
+      now_ += step;
+      viewer_.advance(step, cameraAt(now_), true);
+      if (steps_++ % kStepsPerMoment == 0) noteMoment();
+    } while (now_ < seconds);
+  }
+
+  sample::Camera camera() const { return cameraAt(now_); }
+  const nlohmann::ordered_json& timeline() const { return timeline_; }
+
+ private:
+  void noteMoment() {
+    const FrameStats& stats = viewer_.stats();
+    timeline_.push_back({{"seconds", stats.seconds},
+                         {"triangles", stats.triangles},
+                         {"limited", stats.limited},
+                         {"streamed_bytes", stats.streamed_bytes},
+                         {"gpu_bytes", stats.gpu_bytes}});
+  }
+
+  Viewer& viewer_;
+  double now_ = 0;
+  uint32_t steps_ = 0;
+  nlohmann::ordered_json timeline_ = nlohmann::ordered_json::array();
+};
 
 void printFrame(const std::string& name, const FrameStats& stats) {
   std::printf("%s\n", name.c_str());
@@ -42,21 +68,33 @@ void printFrame(const std::string& name, const FrameStats& stats) {
   std::fflush(stdout);
 }
 
+/// What the camera sees now, as one picture or as two.
+nlohmann::ordered_json writePicture(Viewer& viewer, const sample::Camera& camera, uint32_t index,
+                                    const Options& options) {
+  viewer.draw(camera, options.level_colors);
+  sample::writePng(viewer.target().read(), options.output / pictureName(index));
+  printFrame(pictureName(index), viewer.stats());
+  nlohmann::ordered_json json{{"picture", pictureName(index)}};
+  if (options.both) {
+    viewer.draw(camera, true);
+    sample::writePng(viewer.target().read(), options.output / pictureName(index, "_levels"));
+    json["levels_picture"] = pictureName(index, "_levels");
+  }
+  json.update(toJson(viewer.stats()));
+  return json;
+}
+
 void writePictures(const Options& options) {
   const sample::Headless context;
   Viewer viewer(options);
   std::filesystem::create_directories(options.output);
   nlohmann::ordered_json json{{"threshold_px", options.threshold_px}, {"bytes_per_second", options.bytes_per_second}};
-  double now = 0;
+  Journey journey(viewer);
   for (uint32_t i = 0; i < options.frames; ++i) {
-    advanceTo(viewer, now, pictureTime(i, options.frames));
-    viewer.draw(cameraAt(now), options.level_colors);
-    sample::writePng(viewer.target().read(), options.output / pictureName(i));
-    printFrame(pictureName(i), viewer.stats());
-    nlohmann::ordered_json picture = toJson(viewer.stats());
-    picture["picture"] = pictureName(i);
-    json["pictures"].push_back(std::move(picture));
+    journey.advanceTo(pictureTime(i, options.frames));
+    json["pictures"].push_back(writePicture(viewer, journey.camera(), i, options));
   }
+  json["timeline"] = journey.timeline();
   std::ofstream(options.output / "crowd.json") << json.dump(2) << "\n";
 }
 

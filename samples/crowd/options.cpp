@@ -22,6 +22,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--frames", options.frames, "Pictures along the camera path")->check(CLI::Range(1, 1000));
   app.add_option("--out", options.output, "Folder for the pictures and crowd.json");
   app.add_flag("--lod-colors", options.level_colors, "Colour the instances by their level");
+  app.add_flag("--both", options.both, "Write each picture a second time, coloured by level, as crowd_NNN_levels.png");
   app.add_flag("--window", options.window, "Open a window instead of writing pictures (L levels, P pause, Esc ends)");
   app.add_flag("!--no-shadows", options.shadows, "Leave the shadows out");
 }

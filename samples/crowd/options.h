@@ -10,12 +10,13 @@
 struct Options {
   std::vector<std::filesystem::path> characters;  ///< .lithe files; clips come from the .glb of the same name beside
   uint32_t instances = 1000;
-  float threshold_px = 1.0f;        ///< largest error on screen
+  float threshold_px = 2.0f;        ///< largest error on screen
   double bytes_per_second = 256e3;  ///< of the simulated link that pages come over
   int width = 1280, height = 720;
   uint32_t frames = 8;  ///< pictures along the camera path
   std::filesystem::path output = "demo";
   bool level_colors = false;
+  bool both = false;  ///< a second picture of each, coloured by level
   bool window = false;
   bool shadows = true;
 };

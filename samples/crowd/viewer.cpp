@@ -14,6 +14,8 @@ constexpr int kSamples = 4;               ///< of the multisampled picture
 constexpr float kShadowThreshold_px = 2;  ///< a shadow's error, in texels: shadows forgive more than surfaces
 constexpr float kHysteresis = 0.2f;
 
+constexpr glm::vec4 kPanel{0.04f, 0.05f, 0.07f, 0.6f}, kText{1, 1, 1, 0.95f};
+
 std::vector<sample::Character> openAll(const Options& options) {
   std::vector<sample::Character> characters;
   for (const std::filesystem::path& path : options.characters) characters.push_back(sample::openCharacter(path));
@@ -69,7 +71,7 @@ Viewer::Viewer(const Options& options)
     stats_.file_bytes += character.info.file_bytes;
   }
   sample::Stage::Look look;
-  look.fog_density = 0.009f;
+  look.fog_density = 0.008f;
   stage_.setLook(look);
   stage_.setPalettes(bank_);
 }
@@ -148,36 +150,38 @@ void Viewer::draw(const sample::Camera& camera, bool level_colors) {
 }
 
 void Viewer::drawOverlay(bool level_colors) {
-  const float scale = std::max(1.0f, std::round(static_cast<float>(target_.height()) / 500.0f));
+  const float scale = std::max(1.0f, std::round(static_cast<float>(target_.height()) / 360.0f));
   const std::vector<std::string> lines = textLines(stats_);
   float widest = 0;
   for (const std::string& line : lines) widest = std::max(widest, sample::Overlay::textWidth(line, scale));
-  const float line_height = 12 * scale, margin = 10 * scale;
-  const float rows = static_cast<float>(lines.size() + stats_.levels.size()) + 1;
-  overlay_.box(margin, margin, widest + 2 * margin, rows * line_height + 2 * margin, {0.05f, 0.06f, 0.08f, 0.62f});
+  const float line_height = 12 * scale, margin = 6 * scale;
+  overlay_.box(margin, margin, widest + 2 * margin, static_cast<float>(lines.size()) * line_height + 1.5f * margin,
+               kPanel);
   float y = 2 * margin;
   for (const std::string& line : lines) {
-    overlay_.text(2 * margin, y, line, scale, {1, 1, 1, 0.95f});
+    overlay_.text(2 * margin, y, line, scale, kText);
     y += line_height;
   }
-  drawLevelBars(2 * margin, y + 0.5f * line_height, scale, level_colors);
+  drawLevelBars(scale, level_colors);
   overlay_.draw(target_.width(), target_.height());
 }
 
-/// Per level: its colour, how many instances, how many triangles.
-void Viewer::drawLevelBars(float x, float y, float scale, bool level_colors) {
+/// Along the foot of the picture, per level: how many instances, and the colour that --lod-colors gives them.
+void Viewer::drawLevelBars(float scale, bool level_colors) {
   uint32_t level_count = 1;
   for (const sample::Character& character : characters_)
     level_count = std::max(level_count, character.info.level_count);
-  for (uint32_t level = 0; level < stats_.levels.size(); ++level) {
-    const LevelCount& count = stats_.levels[level];
+  const float margin = 6 * scale, height = 15 * scale, top = static_cast<float>(target_.height()) - margin - height;
+  const float width = (static_cast<float>(target_.width()) - 2 * margin) / static_cast<float>(level_count);
+  overlay_.text(margin, top - 11 * scale, "instances per level, coarse to fine", scale, kText);
+  overlay_.box(margin, top, width * static_cast<float>(level_count), height, kPanel);
+  for (uint32_t level = 0; level < level_count; ++level) {
+    const uint32_t count = level < stats_.levels.size() ? stats_.levels[level].instances : 0;
+    const float x = margin + width * static_cast<float>(level),
+                share = std::min(1.0f, 2.5f * static_cast<float>(count) / static_cast<float>(stats_.seen + 1));
     const glm::vec3 shown = glm::pow(sample::levelColor(level, level_count), glm::vec3(1 / 2.2f));
-    const float share = static_cast<float>(count.instances) / static_cast<float>(std::max(stats_.seen, 1u));
-    overlay_.text(x, y, "level " + std::to_string(level), scale, {1, 1, 1, 0.8f});
-    overlay_.box(x + 50 * scale, y, std::max(60 * scale * share, count.instances > 0 ? scale : 0), 7 * scale,
-                 level_colors ? glm::vec4(shown, 1) : glm::vec4(0.75f, 0.8f, 0.85f, 1));
-    overlay_.text(x + 116 * scale, y, grouped(count.instances), scale, {1, 1, 1, 0.95f});
-    overlay_.text(x + 146 * scale, y, grouped(count.triangles) + " triangles", scale, {1, 1, 1, 0.8f});
-    y += 12 * scale;
+    overlay_.box(x, top, width * share, height,
+                 level_colors ? glm::vec4(shown, 0.9f) : glm::vec4(0.45f, 0.55f, 0.65f, 0.55f));
+    overlay_.text(x + 3 * scale, top + 4 * scale, std::to_string(level) + ": " + grouped(count), scale, kText);
   }
 }

@@ -38,7 +38,7 @@ class Viewer {
   void selectCasters(const sample::Camera& camera);
   void measure();
   void drawOverlay(bool level_colors);
-  void drawLevelBars(float x, float y, float scale, bool level_colors);
+  void drawLevelBars(float scale, bool level_colors);
 
   Options options_;
   std::vector<sample::Character> characters_;

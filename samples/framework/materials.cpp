@@ -20,6 +20,7 @@ struct NamedLook {
 // Colours are linear; the last of each is gloss, the variation is hue, brightness, saturation.
 const std::array kLooks{
     NamedLook{"eye", {{0.75f, 0.74f, 0.72f, 0.9f}, {0, 0, 0, 0}}},
+    NamedLook{"hair", {{0.060f, 0.032f, 0.018f, 0.45f}, {0.05f, 0.9f, 0.3f, 0}}},
     NamedLook{"short", {{0.05f, 0.13f, 0.42f, 0.05f}, {0.9f, 0.5f, 0.5f, 0}}},
     NamedLook{"skin", {{0.60f, 0.33f, 0.22f, 0.25f}, {0.04f, 0.7f, 0.15f, 0}}},
     NamedLook{"shell", {{0.30f, 0.055f, 0.02f, 0.8f}, {0.12f, 0.45f, 0.1f, 0}}},

@@ -19,6 +19,12 @@ struct Picture {
   void flipRows();
 };
 
+/// Throws Error when the file is missing or no picture.
+Picture readPng(const std::filesystem::path& path);
+
+/// quality: 1 to 100
+std::vector<uint8_t> encodeJpeg(const Picture& picture, int quality);
+
 /// Throws Error when the file cannot be written.
 void writePng(const Picture& picture, const std::filesystem::path& path);
 

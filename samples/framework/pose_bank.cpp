@@ -14,7 +14,6 @@ PoseBank::PoseBank(std::span<const Character> characters, std::span<const std::v
   }
   buffer_ = std::make_unique<Buffer>(rows_.size() * sizeof(float));
   buffer_->write(std::span<const float>(rows_));
-  rows_ = {};
 }
 
 void PoseBank::addClip(const Character& character, const Clip* clip) {
@@ -33,7 +32,7 @@ BankedPose PoseBank::addPose(const Character& character, const Clip* clip, float
   float box[6];
   lithe_asset_posed_box(character.asset.get(), &rows_[first], box);
   const glm::vec3 low(box[0], box[1], box[2]), high(box[3], box[4], box[5]);
-  return {static_cast<uint32_t>(first / 4), low, high, (low + high) * 0.5f, glm::length(high - low) * 0.5f};
+  return {static_cast<uint32_t>(first / 4), (low + high) * 0.5f, glm::length(high - low) * 0.5f};
 }
 
 }  // namespace sample

@@ -16,9 +16,8 @@ inline constexpr uint32_t kPhases = 48;  ///< per clip
 
 /// One palette of the bank and where the character lies in it, before the instance's own placement.
 struct BankedPose {
-  uint32_t first_row = 0;     ///< vec4 rows, 3 per joint
-  glm::vec3 low{0}, high{0};  ///< bounding box
-  glm::vec3 center{0};        ///< bounding sphere
+  uint32_t first_row = 0;  ///< vec4 rows, 3 per joint
+  glm::vec3 center{0};     ///< bounding sphere
   float radius = 0;
 };
 
@@ -34,6 +33,8 @@ class PoseBank {
     return poses_[entries_[character][clip].first_pose + phase];
   }
   const Buffer& buffer() const { return *buffer_; }
+  /// The palette itself, 12 floats per joint.
+  const float* palette(const BankedPose& pose) const { return &rows_[size_t{4} * pose.first_row]; }
 
  private:
   struct Entry {

@@ -99,9 +99,9 @@ layout(binding = 0) uniform sampler2DShadow shadow_map;
 
 vec3 skyColor(vec3 direction) {
   float up = clamp(direction.y, 0.0, 1.0);
-  vec3 outside = mix(vec3(0.78, 0.82, 0.86), vec3(0.20, 0.38, 0.68), pow(up, 0.55));
+  vec3 outside = mix(vec3(0.62, 0.72, 0.84), vec3(0.10, 0.24, 0.55), pow(up, 0.5));
   outside += vec3(0.35, 0.25, 0.12) * pow(max(dot(direction, sun.xyz), 0.0), 24.0);
-  return mix(outside, vec3(0.80), fog.z);
+  return mix(outside, vec3(1.1), fog.z);
 }
 
 float sunlight(vec3 position, vec3 normal) {
@@ -120,8 +120,8 @@ vec3 lightSurface(vec3 color, float gloss, vec3 position, vec3 normal, float occ
   vec3 view = normalize(camera.xyz - position);
   float facing = max(dot(normal, sun.xyz), 0.0);
   float lit = facing > 0.0 ? sunlight(position, normal) * facing : 0.0;
-  vec3 above = mix(vec3(0.36, 0.33, 0.30), vec3(0.62, 0.74, 0.92), 0.5 + 0.5 * normal.y);
-  vec3 light = above * 0.85 * occlusion + vec3(2.5, 2.2, 1.8) * lit;
+  vec3 above = mix(vec3(0.24, 0.21, 0.18), vec3(0.55, 0.70, 0.95), 0.5 + 0.5 * normal.y);
+  vec3 light = above * 0.7 * occlusion + vec3(2.7, 2.3, 1.8) * lit;
   float rim = pow(1.0 - max(dot(normal, view), 0.0), 3.0);
   vec3 shine = vec3(1.0, 0.95, 0.85) * gloss * lit * pow(max(dot(normal, normalize(sun.xyz + view)), 0.0), 8.0 + 90.0 * gloss);
   return color * light + shine * 1.6 + above * rim * (0.04 + 0.22 * gloss) * occlusion;
@@ -188,10 +188,12 @@ float lines(float spacing, float width) {
 }
 
 void main() {
-  vec3 plain = mix(vec3(0.42, 0.41, 0.39), vec3(0.72), fog.z);
+  // In a studio the ground is the background: only shadows tell where it is.
+  vec3 studio = toneMapped(skyColor(vec3(0))) * mix(vec3(0.66, 0.69, 0.75), vec3(1), sunlight(world_position, vec3(0, 1, 0)));
+  vec3 plain = vec3(0.150, 0.152, 0.148);
   vec3 marked = mix(plain, plain * 0.55, fog.y * max(0.5 * lines(1.0, 0.012), lines(5.0, 0.03)));
   vec3 lit = lightSurface(marked, 0.0, world_position, vec3(0, 1, 0), 1.0);
-  color = vec4(toneMapped(fogged(lit, world_position)), 1);
+  color = vec4(fog.z > 0.0 ? studio : toneMapped(fogged(lit, world_position)), 1);
 }
 )";
 

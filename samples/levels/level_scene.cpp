@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "error.h"
+#include "skinning.h"
 
 namespace {
 
 constexpr int kSamples = 4;
+constexpr uint32_t kMeasuredLevel = 4;             ///< fine enough to frame a picture by
 constexpr float kFov = 0.42f;                      ///< radians: a long lens
 constexpr float kElevation = 0.16f;                ///< radians that the camera looks down
 constexpr float kMargin = 1.06f;                   ///< free room around the character
@@ -48,6 +51,11 @@ std::vector<glm::vec3> corners(const glm::vec3& low, const glm::vec3& high) {
   return points;
 }
 
+/// Many edges must be faint, or nothing but edges is seen.
+glm::vec4 wireColor(uint32_t triangles) {
+  return {0.02f, 0.03f, 0.05f, std::clamp(40.0f / std::sqrt(static_cast<float>(triangles + 1)), 0.07f, 0.75f)};
+}
+
 }  // namespace
 
 LevelScene::LevelScene(sample::Character character, const std::filesystem::path& gltf, const PoseChoice& choice)
@@ -60,13 +68,18 @@ LevelScene::LevelScene(sample::Character character, const std::filesystem::path&
       heading_(std::cos(glm::radians(choice.turn)), std::sin(glm::radians(choice.turn))) {
   geometry_.upload(characters_);
   stage_.setPalettes(bank_);
-  // The turned bounds: a sphere is too roomy for framing, so the posed box is asked for again and turned.
-  const sample::BankedPose& pose = bank_.pose(0, 0, phase_);
-  low_ = glm::vec3(1e9f);
+  measure();
+}
+
+/// lithe_asset_posed_box is safe but roomy; a picture is framed by where the vertices are.
+void LevelScene::measure() {
+  const float* palette = bank_.palette(bank_.pose(0, 0, phase_));
+  low_ = glm::vec3(std::numeric_limits<float>::max());
   high_ = -low_;
-  for (const glm::vec3& corner : corners(pose.low, pose.high)) {
-    const glm::vec3 turned(heading_.x * corner.x + heading_.y * corner.z, corner.y,
-                           heading_.x * corner.z - heading_.y * corner.x);
+  const uint32_t level = std::min(character().info.level_count - 1, kMeasuredLevel);
+  for (const glm::vec3& posed : sample::posedPositions(character(), level, palette)) {
+    const glm::vec3 turned(heading_.x * posed.x + heading_.y * posed.z, posed.y,
+                           heading_.x * posed.z - heading_.y * posed.x);
     low_ = glm::min(low_, turned);
     high_ = glm::max(high_, turned);
   }
@@ -125,7 +138,7 @@ sample::Picture LevelScene::draw(const Shot& shot) {
   stage_.drawShadows({(low_ + high_) * 0.5f, glm::length(high_ - low_) * 0.8f}, list_);
   target.bind();
   stage_.drawScene(camera, shot.width, shot.height, list_, materials_.forDraws(list_, false));
-  if (shot.wires) stage_.drawWires(list_, {0.02f, 0.03f, 0.05f, 0.55f});
+  if (shot.wires) stage_.drawWires(list_, wireColor(character().levels[shot.level].triangle_count));
   target.resolve();
   drawLabels(shot);
   return target.read();

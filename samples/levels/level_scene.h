@@ -44,6 +44,7 @@ class LevelScene {
   sample::Picture draw(const Shot& shot);
 
  private:
+  void measure();
   void placeInstance(uint32_t level);
   sample::Camera frame(const Shot& shot) const;
   void drawLabels(const Shot& shot);

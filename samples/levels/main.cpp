@@ -18,6 +18,7 @@ struct Options {
   PoseChoice pose;
   uint32_t columns = 5;
   int cell_width = 340, cell_height = 420;
+  std::vector<std::string> rows{"shaded", "wires", "used"};
   bool each = false;
 };
 
@@ -33,6 +34,9 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--columns", options.columns, "Levels on the sheet")->check(CLI::Range(1, 16));
   app.add_option("--cell-width", options.cell_width, "Pixels")->check(CLI::Range(64, 4096));
   app.add_option("--cell-height", options.cell_height, "Pixels")->check(CLI::Range(64, 4096));
+  app.add_option("--rows", options.rows, "What the sheet shows of each level")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"shaded", "wires", "used"}));
   app.add_flag("--each", options.each, "Write every level's own picture too");
 }
 
@@ -77,28 +81,36 @@ std::string usableText(float height) {
   return height < 10000 ? "up to " + std::to_string(static_cast<int>(height)) + " pixels tall" : "exact";
 }
 
-Shot usedShot(const LevelScene& scene, uint32_t level, const Options& options) {
-  Shot shot{level, options.cell_width, options.cell_height, 0, false, false, {}};
-  const float height = usableHeight(scene, level);
-  shot.labels = {usableText(height)};
-  if (height < 0.8f * static_cast<float>(options.cell_height)) shot.figure_px = height;
+int rowHeight(const std::string& row, const Options& options) {
+  return row == "used" ? options.cell_height / 2 : options.cell_height;
+}
+
+/// One cell of a row: "shaded", "wires", or "used", which is as small as a pixel of error asks for.
+Shot shotFor(const std::string& row, const LevelScene& scene, uint32_t index, const Options& options) {
+  Shot shot{index, options.cell_width, rowHeight(row, options), 0, row == "wires", row != "used", {}};
+  const lithe_level& level = scene.character().levels[index];
+  if (row == "shaded")
+    shot.labels = {grouped(level.triangle_count) + " triangles", grouped(level.bytes_end) + " bytes"};
+  if (row == "used") {
+    const float height = usableHeight(scene, index);
+    shot.labels = {usableText(height)};
+    if (height < 0.8f * static_cast<float>(shot.height)) shot.figure_px = height;
+  }
   return shot;
 }
 
-/// Three rows: shaded, with its edges, and as small as a pixel of error allows.
 sample::Picture drawSheet(LevelScene& scene, const Options& options) {
   const std::vector<uint32_t> levels = chooseLevels(scene.character(), options.columns);
-  sample::Picture sheet(options.cell_width * static_cast<int>(levels.size()), options.cell_height * 3);
-  for (size_t i = 0; i < levels.size(); ++i) {
-    const lithe_level& level = scene.character().levels[levels[i]];
-    const int x = options.cell_width * static_cast<int>(i);
-    Shot shot{levels[i], options.cell_width, options.cell_height, 0, false, true, {}};
-    shot.labels = {grouped(level.triangle_count) + " triangles", grouped(level.bytes_end) + " bytes"};
-    paste(scene.draw(shot), sheet, x, 0);
-    shot.wires = true;
-    shot.labels.clear();
-    paste(scene.draw(shot), sheet, x, options.cell_height);
-    paste(scene.draw(usedShot(scene, levels[i], options)), sheet, x, 2 * options.cell_height);
+  int height = 0;
+  for (const std::string& row : options.rows) height += rowHeight(row, options);
+  sample::Picture sheet(options.cell_width * static_cast<int>(levels.size()), height);
+  for (size_t column = 0; column < levels.size(); ++column) {
+    int y = 0;
+    for (const std::string& row : options.rows) {
+      const sample::Picture cell = scene.draw(shotFor(row, scene, levels[column], options));
+      paste(cell, sheet, options.cell_width * static_cast<int>(column), y);
+      y += cell.height;
+    }
   }
   return sheet;
 }
