@@ -153,7 +153,7 @@ Refusal checkUvGrids(const Head& head) {
 // ---- Levels --------------------------------------------------------------------------------------------------------
 
 bool growsFrom(const LevelEntry& coarser, const LevelEntry& level) {
-  return level.page_end > coarser.page_end && level.node_count > coarser.node_count &&
+  return level.page_end >= coarser.page_end && level.node_count > coarser.node_count &&
          level.wedge_count > coarser.wedge_count && level.face_count >= coarser.face_count;
 }
 
@@ -162,7 +162,7 @@ Refusal checkLevelCounts(const Head& head) {
   for (uint32_t i = 0; i < head.levels.count; ++i) {
     const LevelEntry level = readLevelEntry(head.levels.record(i));
     // Page 0 is the base page and makes level 0 alone.
-    if (!growsFrom(previous, level) || (i == 0 && level.page_end != 1))
+    if (!growsFrom(previous, level) || (i == 0) != (level.page_end == 1))
       return corrupt(head, kCheckLevelCounts, head.levels.record(i));
     previous = level;
   }
@@ -210,6 +210,13 @@ bool follows(const PageEntry& previous, const PageEntry& entry) {
          entry.face_count >= previous.face_count && (entry.node_count - previous.node_count) % 2 == 0;
 }
 
+/// The finest level that ends in a page, or the one that the page is inside of.
+uint32_t lastLevelOf(const Head& head, uint32_t page) {
+  uint32_t level = readPageEntry(head.pages.record(page)).level;
+  while (level + 1 < head.levels.count && readLevelEntry(head.levels.record(level + 1)).page_end == page + 1) ++level;
+  return level;
+}
+
 bool meets(const LevelEntry& level, const PageEntry& entry) {
   return entry.node_count == level.node_count && entry.wedge_count == level.wedge_count &&
          entry.face_count == level.face_count;
@@ -219,8 +226,9 @@ Refusal checkPageCounts(const Head& head) {
   PageEntry previous = {};
   for (uint32_t i = 0; i < head.pages.count; ++i) {
     const PageEntry entry = readPageEntry(head.pages.record(i));
-    const LevelEntry level = readLevelEntry(head.levels.record(entry.level));
-    if ((i > 0 && !follows(previous, entry)) || (i + 1 == level.page_end && !meets(level, entry)))
+    const bool ends_level = readLevelEntry(head.levels.record(entry.level)).page_end == i + 1;
+    const LevelEntry level = readLevelEntry(head.levels.record(lastLevelOf(head, i)));
+    if ((i > 0 && !follows(previous, entry)) || (ends_level && !meets(level, entry)))
       return corrupt(head, kCheckPageCounts, head.pages.record(i));
     previous = entry;
   }
@@ -234,7 +242,8 @@ uint64_t mostValues(const Info& info, const PageEntry& before, const PageEntry& 
   if (after.level == 0)
     return (5 + 2 * uint64_t{info.max_influences}) * nodes + (1 + info.stride()) * wedges + 3ull * after.face_count;
   const uint64_t splits = nodes / 2;
-  const uint64_t flags = after.node_count, split_records = 9 * splits, cuts = (kCutOpen - kCut3 + 1) * splits;
+  const uint64_t flags = 2ull * limits::kLevels * after.node_count, split_records = 9 * splits,
+                 cuts = (kCutOpen - kCut3 + 1) * splits;
   const uint64_t lists = 2 * listedBound(splits, after.face_count), classes = after.wedge_count;
   const uint64_t attributes = 2 * info.stride() * wedges, skins = 3 * kMaxSkinJoints * splits;
   return flags + split_records + cuts + lists + classes + attributes + skins;

@@ -29,19 +29,20 @@ struct ScratchCursor {
   }
 };
 
-/// The level's faces that are not drawn: gaps between ascending ids.
+/// The faces that are not drawn, level by level: gaps between ascending ids.
 bool readHidden(const PagePlan& plan, const PageStreams& streams, Decoded* decoded) {
   const uint8_t* at = streams.hidden;
-  const uint32_t count = plan.ends_level ? plan.hidden_count : 0;
-  uint64_t face = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    uint32_t gap = 0;
-    if (!readVarint(&at, streams.hidden_end, &gap) || (i > 0 && gap == 0)) return false;
-    face += gap;
-    if (face >= plan.face_count) return false;
-    decoded->hidden_faces[decoded->hidden_count++] = static_cast<uint32_t>(face);
+  for (uint32_t l = 0; l < plan.ended_levels; ++l) {
+    uint64_t face = 0;
+    for (uint32_t i = 0; i < plan.ends[l].hidden_count; ++i) {
+      uint32_t gap = 0;
+      if (!readVarint(&at, streams.hidden_end, &gap) || (i > 0 && gap == 0)) return false;
+      face += gap;
+      if (face >= plan.ends[l].face_count) return false;
+      decoded->hidden_faces[decoded->hidden_count++] = static_cast<uint32_t>(face);
+    }
+    decoded->hidden_end[plan.level + l] = decoded->hidden_count;
   }
-  if (plan.ends_level) decoded->hidden_end[plan.level] = decoded->hidden_count;
   return at == streams.hidden_end;
 }
 

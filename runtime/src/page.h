@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "decoded.h"
+#include "lithe/format/file.h"
 #include "lithe/format/page.h"
 #include "lithe/runtime.h"
 
@@ -26,15 +27,21 @@ struct PageFormat {
   WedgeLayout layout;
 };
 
+/// Where a level of a page ends: the counts after it.
+struct LevelEnd {
+  uint32_t node_count, wedge_count, face_count;
+  uint32_t hidden_count;  ///< faces of the level that are not drawn
+};
+
 /// What the tables state of one page.
 struct PagePlan {
   uint32_t node_count, wedge_count, face_count;  ///< after this page; the arrays have room for them
-  uint32_t level;
-  uint32_t level_first_node;  ///< nodes of the levels before this one
-  uint32_t values;            ///< integers in all streams
+  uint32_t level;                                ///< the coarsest level that needs it
+  uint32_t level_first_node;                     ///< nodes of the levels before that one
+  uint32_t values;                               ///< integers in all streams
   uint32_t max_fan;
-  uint32_t hidden_count;  ///< of the level, when ends_level
-  bool ends_level;
+  uint32_t ended_levels;  ///< levels that end in this page: several, or one at its end, or none
+  LevelEnd ends[format::limits::kLevels];
 };
 
 /// Bytes of scratch that decodePage needs for a page: aligned to 8.

@@ -31,9 +31,8 @@ uint64_t recordBound(const PagePlan& plan, const Decoded& before, const PageForm
   }
   switch (stream) {
     case format::kFlagsOld:
-      return plan.level_first_node;
     case format::kFlagsNew:
-      return plan.node_count - plan.level_first_node;
+      return uint64_t{plan.node_count} * (plan.ended_levels ? plan.ended_levels : 1);
     case format::kGeneral:
     case format::kWedgePicks:
       return format::listedBound(splits, plan.face_count);

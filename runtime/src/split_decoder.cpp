@@ -25,13 +25,26 @@ SplitDecoder::SplitDecoder(const PageFormat& format, const PagePlan& plan, PageS
 }
 
 uint32_t SplitDecoder::run(uint32_t* cursor) {
+  uint32_t first_node = plan_.level_first_node;
+  for (uint32_t l = 0; l < plan_.ended_levels; ++l) {
+    const LevelEnd& end = plan_.ends[l];
+    if (const uint32_t check = visitNodes(cursor, first_node, end.node_count, true)) return check;
+    if (out_->node_count != end.node_count || out_->wedge_count != end.wedge_count ||
+        out_->face_count != end.face_count)
+      return kCheckCounts;
+    *cursor = 0;
+    first_node = end.node_count;
+  }
+  return plan_.ended_levels ? 0 : visitNodes(cursor, first_node, plan_.node_count, false);
+}
+
+uint32_t SplitDecoder::visitNodes(uint32_t* cursor, uint32_t first_node, uint32_t node_end, bool to_the_last) {
   uint32_t node = *cursor;
-  for (; node < out_->node_count && (out_->node_count < plan_.node_count || plan_.ends_level); ++node) {
+  for (; node < out_->node_count && (out_->node_count < node_end || to_the_last); ++node) {
     if (out_->node_first_child[node] != kNoIndex) continue;
-    const int32_t flag =
-        streams_->values[node < plan_.level_first_node ? format::kFlagsOld : format::kFlagsNew][0].next();
+    const int32_t flag = streams_->values[node < first_node ? format::kFlagsOld : format::kFlagsNew][0].next();
     if (flag == 0) continue;
-    if (flag != 1 || out_->node_count + 2 > plan_.node_count) return kCheckFlags;
+    if (flag != 1 || out_->node_count + 2 > node_end) return kCheckFlags;
     if (const uint32_t check = splitNode(node)) return check;
   }
   *cursor = node;

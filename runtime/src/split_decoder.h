@@ -32,8 +32,8 @@ class SplitDecoder {
   SplitDecoder(const PageFormat& format, const PagePlan& plan, PageStreams* streams, const FanScratch& scratch,
                Decoded* decoded);
 
-  /// Visits nodes from *cursor on until the page's nodes are all there (and, at the end of a level, until every node
-  /// has been visited). Returns the check that failed, 0 when all is well.
+  /// Applies the page's splits, level by level, beginning with the node *cursor of the first. *cursor is then where the
+  /// next page goes on. Returns the check that failed, 0 when all is well.
   uint32_t run(uint32_t* cursor);
 
  private:
@@ -44,6 +44,8 @@ class SplitDecoder {
     bool beside_ends;  ///< the third node is that face's previous corner (else its next)
   };
 
+  /// Visits the nodes of a level in ascending id until there are node_end of them, or until the last of them.
+  uint32_t visitNodes(uint32_t* cursor, uint32_t first_node, uint32_t node_end, bool to_the_last);
   uint32_t splitNode(uint32_t node);
   bool gatherFan(uint32_t node);
   uint32_t readRing(int32_t mode);

@@ -17,7 +17,6 @@ lithe_result refuse(lithe_result result, uint32_t check, uint64_t offset, lithe_
 
 PagePlan planOf(const lithe_asset& asset, uint32_t page) {
   const PageEntry entry = pageEntry(asset, page);
-  const Level& level = asset.levels[entry.level];
   PagePlan plan = {};
   plan.node_count = entry.node_count;
   plan.wedge_count = entry.wedge_count;
@@ -26,9 +25,18 @@ PagePlan planOf(const lithe_asset& asset, uint32_t page) {
   plan.level_first_node = entry.level ? asset.levels[entry.level - 1].entry.node_count : 0;
   plan.values = entry.values;
   plan.max_fan = entry.max_fan;
-  plan.hidden_count = level.entry.hidden_count;
-  plan.ends_level = page + 1 == level.entry.page_end;
+  for (uint32_t l = entry.level; l < asset.level_count && asset.levels[l].entry.page_end == page + 1; ++l) {
+    const LevelEntry& level = asset.levels[l].entry;
+    plan.ends[plan.ended_levels++] = {level.node_count, level.wedge_count, level.face_count, level.hidden_count};
+  }
   return plan;
+}
+
+/// The finest of the levels that end in the page that `level` ends in.
+uint32_t lastOfPage(const lithe_asset& asset, uint32_t level) {
+  while (level + 1 < asset.level_count && asset.levels[level + 1].entry.page_end == asset.levels[level].entry.page_end)
+    ++level;
+  return level;
 }
 
 bool beginsLevel(const lithe_asset& asset, uint32_t page) {
@@ -51,7 +59,8 @@ void setResident(lithe_asset* asset, uint32_t pages) {
 
 lithe_result decodeInto(lithe_asset* asset, uint32_t page, const void* bytes, size_t size, lithe_diagnosis* diagnosis) {
   const PagePlan plan = planOf(*asset, page);
-  const Counts counts = countsOf(*asset, plan.level);
+  const uint32_t level = plan.ended_levels ? plan.level + plan.ended_levels - 1 : plan.level;
+  const Counts counts = countsOf(*asset, level);
   if (!reserveDecoded(asset->allocator, counts, strideOf(*asset), &asset->decoded)) return LITHE_ERROR_OUT_OF_MEMORY;
   const uint64_t scratch_bytes = scratchBytes(plan);
   void* scratch = allocateBlock(asset->allocator, scratch_bytes);
@@ -84,15 +93,17 @@ lithe_result lithe_asset_next_request(const lithe_asset* asset, uint32_t level, 
 uint64_t lithe_asset_memory(const lithe_asset* asset, uint32_t level) {
   if (!asset || level >= asset->level_count) return invalidArgument(), 0;
   uint64_t most = 0;
-  uint32_t page = 0;
-  for (uint32_t l = 0; l <= level; ++l) {
-    uint64_t beside = l ? largestBlock(countsOf(*asset, l - 1), strideOf(*asset)) : 0;
+  uint32_t page = 0, coarser = LITHE_NO_LEVEL;
+  for (uint32_t l = 0; coarser == LITHE_NO_LEVEL || coarser < level; l = coarser + 1) {
+    l = lastOfPage(*asset, l);
+    uint64_t beside = coarser != LITHE_NO_LEVEL ? largestBlock(countsOf(*asset, coarser), strideOf(*asset)) : 0;
     for (; page < asset->levels[l].entry.page_end; ++page) {
       const uint64_t scratch = scratchBytes(planOf(*asset, page));
       if (scratch > beside) beside = scratch;
     }
     const uint64_t bytes = decodedBytes(countsOf(*asset, l), strideOf(*asset)) + beside;
     if (bytes > most) most = bytes;
+    coarser = l;
   }
   return most;
 }
@@ -117,6 +128,8 @@ uint32_t lithe_asset_resident_level(const lithe_asset* asset) {
 
 lithe_result lithe_asset_evict(lithe_asset* asset, uint32_t level) {
   if (!asset || level >= asset->level_count) return invalidArgument();
+  // Pages are dropped whole, so levels that share the last one stay.
+  level = lastOfPage(*asset, level);
   const uint32_t page_end = asset->levels[level].entry.page_end;
   if (asset->pages_resident <= page_end) return LITHE_OK;
   const Counts counts = countsOf(*asset, level);

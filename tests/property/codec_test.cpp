@@ -55,7 +55,7 @@ Character encodeCharacter(const CharacterShape& shape, uint64_t seed, uint32_t p
   for (double error = 1.0; collapses > 0; collapses = collapses / 2, error /= 2)
     c.levels.push_back({collapses, error, error / 2});
   c.levels.push_back({0, 0.0, 0.0});
-  c.bytes = bake::encodeFile({c.model, c.mesh, c.hierarchy, c.levels, placement_shift, 1.0, page_splits}, &c.report);
+  c.bytes = bake::encodeFile({c.model, c.mesh, c.hierarchy, c.levels, placement_shift, 1.0, page_splits, page_splits / 4}, &c.report);
   return c;
 }
 
@@ -212,7 +212,7 @@ void expectRoundTrip(const Character& c, bool equal_faces_possible) {
                 LITHE_OK)
           << "page " << request.page << " check " << diagnosis.check << " at " << diagnosis.offset;
     }
-    ASSERT_EQ(lithe_asset_resident_level(asset), level);
+    ASSERT_GE(lithe_asset_resident_level(asset), level);
     TriangleSet expected = expectedLevel(c, c.levels[level].collapses), decoded = decodedLevel(c, asset, level);
     EXPECT_EQ(expected.size(), decoded.size()) << "level " << level;
     if (equal_faces_possible) {

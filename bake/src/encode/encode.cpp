@@ -13,22 +13,27 @@
 namespace lithe::bake {
 namespace {
 
+SplitSettings settingsOf(const EncodeInput& input) {
+  const AttributeSet& attributes = input.mesh.attributes;
+  SplitSettings settings;
+  settings.placement_shift = input.placement_shift;
+  settings.weight_one = input.mesh.weight_one;
+  settings.normal_center = format::octahedralCenter(input.mesh.normal_bits);
+  settings.has = {attributes.normal, attributes.tangent, attributes.uv_sets, attributes.color_sets};
+  return settings;
+}
+
 class FileEncoder {
  public:
-  explicit FileEncoder(const EncodeInput& input) : in_(input), cut_(input.hierarchy) {
-    const AttributeSet& attributes = input.mesh.attributes;
-    settings_.placement_shift = input.placement_shift;
-    settings_.weight_one = input.mesh.weight_one;
-    settings_.normal_center = format::octahedralCenter(input.mesh.normal_bits);
-    settings_.has = {attributes.normal, attributes.tangent, attributes.uv_sets, attributes.color_sets};
-  }
+  explicit FileEncoder(const EncodeInput& input)
+      : in_(input), cut_(input.hierarchy), settings_(settingsOf(input)), encoder_(cut_, settings_) {}
 
   std::vector<uint8_t> run(EncodeReport* report) {
     PageData base = encodeBase(cut_, settings_.has);
-    base.hidden = hiddenFaces(cut_);
-    finishPage(0, base);
-    finishLevel(0, static_cast<uint32_t>(base.hidden.size()));
+    endLevel(0, base);
+    finishPage(base);
     for (uint32_t level = 1; level < in_.levels.size(); ++level) encodeLevel(level);
+    if (page_splits_ > 0) finishSplitPage();
     uint64_t head_bytes = 0;
     std::vector<uint8_t> file = writeFile(in_, levels_, pages_, &head_bytes);
     if (report) fillReport(*report, head_bytes, file.size());
@@ -41,37 +46,50 @@ class FileEncoder {
     return hierarchy_node >= in_.hierarchy.vertex_count + in_.levels[level].collapses;
   }
 
-  // Nodes are visited in the order of their ids, children after all that were there before: one flag each. A page ends
-  // with a split, the last page of a level when every node has been visited.
+  // Small levels share a page, large ones have several. A page that ends inside a level holds nothing but that level.
   void encodeLevel(uint32_t level) {
-    const uint32_t old_nodes = static_cast<uint32_t>(cut_.node_hierarchy.size());
     uint32_t left = in_.levels[level - 1].collapses - in_.levels[level].collapses;
+    if (page_splits_ + left > in_.page_splits && page_splits_ > 0) finishSplitPage();
     uint32_t pages_left = std::max(1u, (left + in_.page_splits / 2) / in_.page_splits);
-    SplitEncoder encoder(cut_, settings_);
-    uint32_t page_splits = left / pages_left;
+    uint32_t page_left = left / pages_left;
+    visitNodes(level, [&] {
+      --left;
+      const bool full = --page_left == 0 || encoder_.work() > format::kMaxPageWork / 2;
+      if (!full || left == 0) return;
+      finishSplitPage();
+      pages_left = std::max(2u, pages_left) - 1;
+      page_left = left / pages_left;
+    });
+    endLevel(level, encoder_.page());
+    if (page_splits_ >= in_.shared_page_splits) finishSplitPage();
+  }
+
+  // In the order of the ids, children after all that were there before: one flag each.
+  template <typename AfterSplit>
+  void visitNodes(uint32_t level, const AfterSplit& after_split) {
+    const uint32_t old_nodes = static_cast<uint32_t>(cut_.node_hierarchy.size());
     for (uint32_t node = 0; node < cut_.node_hierarchy.size(); ++node) {
       if (cut_.node_split[node]) continue;
       const bool split = isSplitBy(node, level);
-      encoder.flag(node < old_nodes, split);
+      encoder_.flag(node < old_nodes, split);
       if (!split) continue;
-      encoder.split(node);
-      --left;
-      --page_splits;
-      if (left > 0 && (page_splits == 0 || encoder.work() > format::kMaxPageWork / 2)) {
-        finishPage(level, encoder.finish());
-        pages_left = std::max(1u, pages_left - 1);
-        page_splits = left / pages_left;
-      }
+      encoder_.split(node);
+      ++page_splits_;
+      after_split();
     }
-    PageData page = encoder.finish();
-    page.hidden = hiddenFaces(cut_);
-    finishPage(level, page);
-    finishLevel(level, static_cast<uint32_t>(page.hidden.size()));
   }
 
-  void finishPage(uint32_t level, const PageData& page) {
+  void finishSplitPage() {
+    finishPage(encoder_.finish());
+    page_splits_ = 0;
+  }
+
+  void finishPage(const PageData& page) {
     PageEntry entry;
-    entry.level = level;
+    // The coarsest level that needs the page: the first that had not ended before it.
+    entry.level = levels_with_pages_;
+    while (levels_with_pages_ < levels_.size())
+      levels_[levels_with_pages_++].page_end = static_cast<uint32_t>(pages_.size()) + 1;
     entry.node_count = static_cast<uint32_t>(cut_.node_hierarchy.size());
     entry.wedge_count = static_cast<uint32_t>(cut_.wedge_node.size());
     entry.face_count = static_cast<uint32_t>(cut_.face_wedges.size());
@@ -86,13 +104,13 @@ class FileEncoder {
     pages_.push_back(std::move(entry));
   }
 
-  void finishLevel(uint32_t level, uint32_t hidden_count) {
+  void endLevel(uint32_t level, PageData& page) {
+    page.hidden.push_back(hiddenFaces(cut_));
     LevelEntry entry;
-    entry.page_end = static_cast<uint32_t>(pages_.size());
-    entry.node_count = pages_.back().node_count;
-    entry.wedge_count = pages_.back().wedge_count;
-    entry.face_count = pages_.back().face_count;
-    entry.hidden_count = hidden_count;
+    entry.node_count = static_cast<uint32_t>(cut_.node_hierarchy.size());
+    entry.wedge_count = static_cast<uint32_t>(cut_.wedge_node.size());
+    entry.face_count = static_cast<uint32_t>(cut_.face_wedges.size());
+    entry.hidden_count = static_cast<uint32_t>(page.hidden.back().size());
     entry.error = in_.levels[level].error;
     entry.error_rms = in_.levels[level].error_rms;
     entry.joint_count = countJoints();
@@ -124,9 +142,12 @@ class FileEncoder {
 
   const EncodeInput& in_;
   Cut cut_;
-  SplitSettings settings_;
+  const SplitSettings settings_;
+  SplitEncoder encoder_;
+  uint32_t page_splits_ = 0;  ///< in the page being made
   std::vector<PageEntry> pages_;
   std::vector<LevelEntry> levels_;
+  uint32_t levels_with_pages_ = 0;  ///< levels whose last page is written
   std::map<std::string, uint64_t> kinds_;
 };
 
@@ -149,8 +170,12 @@ const char* streamKind(format::PageKind page, uint32_t stream) {
       return "skin";
     case format::kWedgeClasses:
     case format::kWedgePicks:
-    case format::kExtras:
       return "wedges";
+    case format::kExtras:
+      return "extra wedges";
+    case format::kFlagsOld:
+    case format::kFlagsNew:
+      return "flags";
     default:
       return stream >= format::kUv0 ? "uvs" : "connectivity";
   }

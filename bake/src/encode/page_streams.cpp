@@ -59,15 +59,16 @@ std::vector<uint8_t> writePage(const PageData& page, PageBytes* bytes) {
   payload.insert(payload.end(), page.low_bits.begin(), page.low_bits.end());
   bytes->low_bits = static_cast<uint32_t>(page.low_bits.size());
 
-  std::vector<uint8_t> out;
-  out.push_back(page.kind);
+  std::vector<uint8_t> out(1, page.kind);
   out.insert(out.end(), page.parameters.begin(), page.parameters.end());
   out.insert(out.end(), table.begin(), table.end());
   out.insert(out.end(), payload.begin(), payload.end());
-  uint32_t previous = 0;
-  for (uint32_t face : page.hidden) {
-    putVarint(out, face - previous);
-    previous = face;
+  for (const std::vector<uint32_t>& level : page.hidden) {
+    uint32_t previous = 0;
+    for (uint32_t face : level) {
+      putVarint(out, face - previous);
+      previous = face;
+    }
   }
   bytes->overhead = static_cast<uint32_t>(out.size() - payload.size());
   return out;

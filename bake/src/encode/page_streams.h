@@ -48,8 +48,8 @@ struct PageData {
   std::array<uint8_t, format::kParameterBytes> parameters{};
   std::vector<StreamData> streams;
   std::vector<uint8_t> low_bits;
-  std::vector<uint32_t> hidden;  ///< ascending face ids, of the level that ends with this page
-  uint32_t max_fan = 0;          ///< most corners or wedges at a node that is split
+  std::vector<std::vector<uint32_t>> hidden;  ///< ascending face ids, of each level that ends in this page
+  uint32_t max_fan = 0;                       ///< most corners or wedges at a node that is split
 
   uint64_t valueCount() const;  ///< integers in all streams
 };

@@ -23,6 +23,8 @@ class SplitEncoder {
 
   void flag(bool old_node, bool split) { page_.streams[old_node ? format::kFlagsOld : format::kFlagsNew].put(split); }
   void split(uint32_t node);
+  /// What has been written, but for the residuals.
+  PageData& page() { return page_; }
   /// The page so far; the encoder goes on with an empty one.
   PageData finish();
   /// Corners visited by the page so far: a reader's limit on the work of one page.
