@@ -56,7 +56,7 @@ for (const file of files) {
   for (const ratio of values.ratios.split(',').map(Number)) {
     const cells = [];
     for (const column of columns) cells.push(await cell(column, file, baked, ratio));
-    rows.push([path.basename(file), `${100 * ratio} %`, ...cells]);
+    rows.push([path.basename(file), `${Number((100 * ratio).toPrecision(4))} %`, ...cells]);
   }
 }
 if (!values.keep) fs.rmSync(folder, { recursive: true });

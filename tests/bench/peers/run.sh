@@ -17,5 +17,6 @@ built=$here/../../../build/release/bake/lithe
 if [ -z "${LITHE:-}" ] && [ -x "$built" ]; then LITHE=$built; fi
 export LITHE=${LITHE:-lithe}
 [ $# -gt 0 ] || { sed -n '6,13s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+command -v "$LITHE" >/dev/null || { echo "there is no tool '$LITHE': build lithe and set LITHE to it" >&2; exit 2; }
 [ -d "$here/node_modules/meshoptimizer" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
 exec node "$here/run.mjs" "$@"

@@ -13,7 +13,7 @@ const NO_LIMIT = 3.4e38, PROTECT = 2, TOLERANCE = 1.02;
 // weights: of normals, uvs, and skins or posed positions. `column` is tuned for the column of the literature.
 export const METHODS = {
   meshopt: {},
-  'meshopt-attr': { weights: [0.5, 0.1, 1], column: [0, 0, 4] },
+  'meshopt-attr': { weights: [0.5, 0.1, 1], column: [0.5, 0, 4] },
   'meshopt-update': { weights: [0.2, 0.05, 1], column: [0, 0, 4], update: true },
   'meshopt-poses': { weights: [0.1, 0.05, 1], column: [0, 0, 4], poses: true },
   'meshopt-poses-update': { weights: [0.1, 0.05, 1], column: [0, 0, 4], poses: true, update: true },
