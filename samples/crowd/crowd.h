@@ -17,6 +17,7 @@ struct Actor {
   glm::vec3 position{0};
   float scale = 1;          ///< world units per bind-space unit
   glm::vec2 heading{1, 0};  ///< cosine and sine of the turn about y
+  float bias = 1;           ///< more than 1: deserves less error than the others
   float time_offset = 0;    ///< seconds into the clip at time 0
   uint32_t seed = 0;
 };

@@ -14,7 +14,6 @@ namespace {
 constexpr int kSamples = 4;
 constexpr uint32_t kMeasuredLevel = 4;             ///< fine enough to frame a picture by
 constexpr float kFov = 0.42f;                      ///< radians: a long lens
-constexpr float kElevation = 0.16f;                ///< radians that the camera looks down
 constexpr float kMargin = 1.06f;                   ///< free room around the character
 constexpr float kLabelScale = 2, kLabelLine = 22;  ///< pixels per dot and per line
 
@@ -65,6 +64,7 @@ LevelScene::LevelScene(sample::Character character, const std::filesystem::path&
       list_(characters_, geometry_, 1),
       materials_(characters_),
       phase_(phaseAt(choice.fraction)),
+      elevation_(glm::radians(choice.elevation)),
       heading_(std::cos(glm::radians(choice.turn)), std::sin(glm::radians(choice.turn))) {
   geometry_.upload(characters_);
   stage_.setPalettes(bank_);
@@ -97,10 +97,10 @@ void LevelScene::placeInstance(uint32_t level) {
   list_.upload();
 }
 
-/// As close as all corners of the box stay in the picture, or so far that the character gets the asked height.
+/// As close as all corners of the box stay in the picture, or so far that a unit gets the asked pixels.
 sample::Camera LevelScene::frame(const Shot& shot) const {
   const glm::vec3 center = (low_ + high_) * 0.5f;
-  const glm::vec3 back(0, std::sin(kElevation), std::cos(kElevation)), right(1, 0, 0), up = glm::cross(back, right);
+  const glm::vec3 back(0, std::sin(elevation_), std::cos(elevation_)), right(1, 0, 0), up = glm::cross(back, right);
   const float tangent = std::tan(kFov / 2), aspect = static_cast<float>(shot.width) / static_cast<float>(shot.height);
   const float label_share = kLabelLine * static_cast<float>(shot.labels.size()) / static_cast<float>(shot.height);
   float distance = 0;
@@ -110,7 +110,7 @@ sample::Camera LevelScene::frame(const Shot& shot) const {
         std::max(std::abs(glm::dot(from, right)) / aspect, std::abs(glm::dot(from, up)) / (1 - label_share));
     distance = std::max(distance, kMargin * across / tangent + glm::dot(from, back));
   }
-  if (shot.figure_px > 0) distance = posedHeight() * static_cast<float>(shot.height) / (2 * tangent * shot.figure_px);
+  if (shot.pixels_per_unit > 0) distance = static_cast<float>(shot.height) / (2 * tangent * shot.pixels_per_unit);
   // The labels take the foot of the picture: what is looked at moves up by half of their share.
   const glm::vec3 target = center - up * (label_share * tangent * distance);
   return {target + back * distance, target, kFov};

@@ -20,13 +20,14 @@ struct PoseChoice {
   std::string clip;       ///< empty: the file's first; none in the file: the rest pose
   float fraction = 0.2f;  ///< of the clip, 0..1
   float turn = 35;        ///< degrees that the character is turned from facing the camera
+  float elevation = 9;    ///< degrees that the camera looks down
 };
 
 /// How one level is shown.
 struct Shot {
   uint32_t level = 0;
   int width = 400, height = 400;
-  float figure_px = 0;  ///< height of the posed box on the picture; 0: fills it
+  float pixels_per_unit = 0;  ///< of the character on the picture; 0: it fills the picture
   bool wires = false;
   bool ground = true;
   std::vector<std::string> labels;  ///< lines at the foot of the picture
@@ -38,8 +39,9 @@ class LevelScene {
   LevelScene(sample::Character character, const std::filesystem::path& gltf, const PoseChoice& choice);
 
   const sample::Character& character() const { return characters_.front(); }
-  /// World units from the lowest to the highest point of the posed box; the same unit as the levels' errors.
+  /// Of the posed, turned box; in the unit of the levels' errors.
   float posedHeight() const { return high_.y - low_.y; }
+  float posedWidth() const { return high_.x - low_.x; }
 
   sample::Picture draw(const Shot& shot);
 
@@ -57,6 +59,7 @@ class LevelScene {
   sample::Materials materials_;
   sample::Overlay overlay_;
   uint32_t phase_;
+  float elevation_;  ///< radians
   glm::vec2 heading_;
   glm::vec3 low_{0}, high_{0};  ///< posed box, turned, standing on the ground
   float lift_ = 0;

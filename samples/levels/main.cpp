@@ -31,6 +31,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--clip", options.pose.clip, "Clip to pose it by; its first one if not given");
   app.add_option("--fraction", options.pose.fraction, "How far into the clip, 0 to 1")->check(CLI::Range(0.0, 1.0));
   app.add_option("--turn", options.pose.turn, "Degrees turned from facing the camera");
+  app.add_option("--elevation", options.pose.elevation, "Degrees that the camera looks down")
+      ->check(CLI::Range(0.0, 85.0));
   app.add_option("--columns", options.columns, "Levels on the sheet")->check(CLI::Range(1, 16));
   app.add_option("--cell-width", options.cell_width, "Pixels")->check(CLI::Range(64, 4096));
   app.add_option("--cell-height", options.cell_height, "Pixels")->check(CLI::Range(64, 4096));
@@ -71,14 +73,17 @@ void paste(const sample::Picture& cell, sample::Picture& sheet, int x, int y) {
   }
 }
 
-/// The height on screen at which the level's error is one pixel: what it may be used for.
-float usableHeight(const LevelScene& scene, uint32_t level) {
+/// Pixels per unit at which the level's error is one pixel: as large as it may be shown. 0: at any size.
+float usableScale(const LevelScene& scene, uint32_t level) {
   const float error = scene.character().levels[level].error;
-  return error > 0 ? scene.posedHeight() / error : INFINITY;
+  return error > 0 ? 1 / error : 0;
 }
 
-std::string usableText(float height) {
-  return height < 10000 ? "up to " + std::to_string(static_cast<int>(height)) + " pixels tall" : "exact";
+std::string usableText(const LevelScene& scene, float scale) {
+  const bool tall = scene.posedHeight() >= scene.posedWidth();
+  const float pixels = scale * (tall ? scene.posedHeight() : scene.posedWidth());
+  return scale > 0 ? "up to " + grouped(static_cast<uint64_t>(pixels)) + (tall ? " pixels tall" : " pixels wide")
+                   : "any size";
 }
 
 int rowHeight(const std::string& row, const Options& options) {
@@ -92,9 +97,11 @@ Shot shotFor(const std::string& row, const LevelScene& scene, uint32_t index, co
   if (row == "shaded")
     shot.labels = {grouped(level.triangle_count) + " triangles", grouped(level.bytes_end) + " bytes"};
   if (row == "used") {
-    const float height = usableHeight(scene, index);
-    shot.labels = {usableText(height)};
-    if (height < 0.8f * static_cast<float>(shot.height)) shot.figure_px = height;
+    const float scale = usableScale(scene, index);
+    shot.labels = {usableText(scene, scale)};
+    const bool fits = scale * scene.posedHeight() < 0.7f * static_cast<float>(shot.height) &&
+                      scale * scene.posedWidth() < 0.9f * static_cast<float>(shot.width);
+    if (fits) shot.pixels_per_unit = scale;
   }
   return shot;
 }
