@@ -49,6 +49,7 @@ class GeometryReader {
   void addColors(const PrimitiveArrays& arrays, const std::vector<uint32_t>& used, const std::string& place);
   void addSkins(const PrimitiveArrays& arrays, const std::vector<uint32_t>& used, const PrimitiveUse& use);
   JointRange jointsOfSkin(uint32_t skin);
+  std::vector<glm::dmat4> inverseBinds(uint32_t skin, const std::string& skin_place) const;
   uint32_t jointOfRigidNode(uint32_t node);
   float checked(double value, uint32_t vertex, const std::string& place) const;
 
@@ -222,34 +223,44 @@ uint32_t GeometryReader::jointOfRigidNode(uint32_t node) {
 
 JointRange GeometryReader::jointsOfSkin(uint32_t skin) {
   if (skin_joints_[skin].count != 0) return skin_joints_[skin];
-  const tinygltf::Skin& stated = file_.document.skins[skin];
+  const std::vector<int>& nodes = file_.document.skins[skin].joints;
   const std::string place = "skin " + std::to_string(skin);
-  if (stated.joints.empty()) file_.name.fail(place, "it has no joints; re-export the file");
-  AccessorView binds;
-  const bool bound = stated.inverseBindMatrices >= 0;
-  if (bound) {
-    binds =
-        AccessorView::open(file_, stated.inverseBindMatrices, {TINYGLTF_TYPE_MAT4}, place + ", inverse bind matrices");
-    if (binds.count() < stated.joints.size()) {
-      file_.name.fail(place, "it has " + std::to_string(binds.count()) + " inverse bind matrices for " +
-                                 std::to_string(stated.joints.size()) + " joints; re-export the file");
+  if (nodes.empty()) file_.name.fail(place, "it has no joints; re-export the file");
+  const std::vector<glm::dmat4> binds = inverseBinds(skin, place);
+  skin_joints_[skin] = {static_cast<uint32_t>(draft_.joints.size()), static_cast<uint32_t>(nodes.size())};
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i] < 0 || static_cast<size_t>(nodes[i]) >= file_.document.nodes.size()) {
+      file_.name.fail(place, "there is no node " + std::to_string(nodes[i]) + "; re-export the file");
     }
-  }
-  skin_joints_[skin] = {static_cast<uint32_t>(draft_.joints.size()), static_cast<uint32_t>(stated.joints.size())};
-  for (uint32_t i = 0; i < stated.joints.size(); ++i) {
-    const int node = stated.joints[i];
-    if (node < 0 || static_cast<size_t>(node) >= file_.document.nodes.size()) {
-      file_.name.fail(place, "there is no node " + std::to_string(node) + "; re-export the file");
-    }
-    FileJoint joint{static_cast<uint32_t>(node), glm::dmat4(1.0), skin};
-    for (uint32_t k = 0; bound && k < 16; ++k) {
-      if (k % 4 == 3) continue;  // the last row is that of an affine matrix, whatever the file says
-      joint.inverse_bind[static_cast<int>(k / 4)][static_cast<int>(k % 4)] =
-          checked(binds.number(i, k), i, place + ", inverse bind matrices");
-    }
-    draft_.joints.push_back(joint);
+    draft_.joints.push_back({static_cast<uint32_t>(nodes[i]), binds[i], skin});
   }
   return skin_joints_[skin];
+}
+
+/// One matrix per joint; identity where the skin states none.
+std::vector<glm::dmat4> GeometryReader::inverseBinds(uint32_t skin, const std::string& skin_place) const {
+  const tinygltf::Skin& stated = file_.document.skins[skin];
+  std::vector<glm::dmat4> binds(stated.joints.size(), glm::dmat4(1.0));
+  if (stated.inverseBindMatrices < 0) return binds;
+  const std::string place = skin_place + ", inverse bind matrices";
+  const AccessorView view = AccessorView::open(file_, stated.inverseBindMatrices, {TINYGLTF_TYPE_MAT4}, place);
+  if (view.count() < binds.size()) {
+    file_.name.fail(skin_place, "it has " + std::to_string(view.count()) + " inverse bind matrices for " +
+                                    std::to_string(binds.size()) + " joints; re-export the file");
+  }
+  for (uint32_t i = 0; i < binds.size(); ++i) {
+    for (int column = 0; column < 4; ++column) {
+      // The last row is that of an affine matrix, whatever the file says.
+      for (int row = 0; row < 3; ++row) {
+        const double entry = view.number(i, static_cast<uint32_t>(column * 4 + row));
+        if (!std::isfinite(entry)) {
+          file_.name.fail(place, "matrix " + std::to_string(i) + " has an entry that is no number; re-export the file");
+        }
+        binds[i][column][row] = entry;
+      }
+    }
+  }
+  return binds;
 }
 
 }  // namespace

@@ -64,20 +64,10 @@ std::optional<AccessorView> PrimitiveArrays::attribute(const std::string& name,
   if (stated == primitive_.attributes.end()) return std::nullopt;
   const std::string place = place_ + ", " + name;
   const auto decoded = draco_.attributes.find(name);
-  AccessorView view;
-  if (decoded != draco_.attributes.end()) {
-    // Only the accessor knows whether integers are normalised; Draco's own flag is not kept by every exporter.
-    const int accessor = stated->second;
-    const auto& accessors = file_.document.accessors;
-    const bool known = accessor >= 0 && static_cast<size_t>(accessor) < accessors.size();
-    const DracoMesh::Attribute& data = decoded->second;
-    view = AccessorView::ofBytes(data.bytes, vertex_count_, data.components, data.component_type,
-                                 known && accessors[static_cast<size_t>(accessor)].normalized);
-  } else {
-    view = AccessorView::open(file_, stated->second, types, place);
-  }
+  const AccessorView view = decoded == draco_.attributes.end() ? AccessorView::open(file_, stated->second, types, place)
+                                                               : decodedAttribute(decoded->second, stated->second);
   const bool fits = std::any_of(types.begin(), types.end(), [&](int type) {
-    return static_cast<uint32_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(type))) == view.components();
+    return tinygltf::GetNumComponentsInType(static_cast<uint32_t>(type)) == static_cast<int>(view.components());
   });
   if (!fits) file_.name.fail(place, "it has " + std::to_string(view.components()) + " components; re-export the file");
   if (view.count() != vertex_count_) {
@@ -87,22 +77,33 @@ std::optional<AccessorView> PrimitiveArrays::attribute(const std::string& name,
   return view;
 }
 
-std::vector<uint32_t> PrimitiveArrays::corners() const {
-  std::vector<uint32_t> corners;
-  AccessorView indices;
-  const bool compressed = usesDraco(primitive_);
-  if (compressed) {
-    indices = AccessorView::ofBytes(draco_.indices, draco_.triangle_count * 3, 1, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                    false);
-  } else if (primitive_.indices >= 0) {
-    indices = AccessorView::open(file_, primitive_.indices, {TINYGLTF_TYPE_SCALAR}, place_ + ", indices");
-    if (!indices.isInteger()) file_.name.fail(place_, "its indices are not integers; re-export the file");
+/// Only the accessor knows whether integers are normalised: Draco's own flag is not kept by every exporter.
+AccessorView PrimitiveArrays::decodedAttribute(const DracoMesh::Attribute& data, int accessor) const {
+  const auto& accessors = file_.document.accessors;
+  const bool stated = accessor >= 0 && static_cast<size_t>(accessor) < accessors.size();
+  const bool normalized = stated && accessors[static_cast<size_t>(accessor)].normalized;
+  return AccessorView::ofBytes(data.bytes, vertex_count_, data.components, data.component_type, normalized);
+}
+
+/// Empty if every vertex is a corner in turn.
+std::optional<AccessorView> PrimitiveArrays::indices() const {
+  if (usesDraco(primitive_)) {
+    return AccessorView::ofBytes(draco_.indices, draco_.triangle_count * 3, 1, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                                 false);
   }
-  const bool indexed = compressed || primitive_.indices >= 0;
-  const uint64_t count = indexed ? indices.count() : vertex_count_;
+  if (primitive_.indices < 0) return std::nullopt;
+  const AccessorView view = AccessorView::open(file_, primitive_.indices, {TINYGLTF_TYPE_SCALAR}, place_ + ", indices");
+  if (!view.isInteger()) file_.name.fail(place_, "its indices are not integers; re-export the file");
+  return view;
+}
+
+std::vector<uint32_t> PrimitiveArrays::corners() const {
+  const std::optional<AccessorView> stated = indices();
+  const uint64_t count = stated ? stated->count() : vertex_count_;
+  std::vector<uint32_t> corners;
   corners.reserve(count);
   for (uint64_t i = 0; i < count; ++i) {
-    const uint32_t corner = indexed ? indices.integer(i, 0) : static_cast<uint32_t>(i);
+    const uint32_t corner = stated ? stated->integer(i, 0) : static_cast<uint32_t>(i);
     if (corner >= vertex_count_) {
       file_.name.fail(place_, "index " + std::to_string(i) + " is " + std::to_string(corner) + ", there are " +
                                   std::to_string(vertex_count_) + " vertices; re-export the file");

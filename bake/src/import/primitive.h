@@ -41,6 +41,8 @@ class PrimitiveArrays {
   std::vector<Triangle> triangles() const;
 
  private:
+  AccessorView decodedAttribute(const DracoMesh::Attribute& data, int accessor) const;
+  std::optional<AccessorView> indices() const;
   std::vector<uint32_t> corners() const;
 
   const GltfFile& file_;

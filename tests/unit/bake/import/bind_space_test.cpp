@@ -26,7 +26,7 @@ void addRibbonInUnits(Ribbon& ribbon, float unit, glm::vec3 offset, const std::v
   const std::vector<float> binds = joined(matrix(unit, offset), matrix(unit, offset - glm::vec3(1, 0, 0)));
   nlohmann::json primitive = ribbon.primitive();
   primitive["attributes"]["POSITION"] = ribbon.accessor("VEC3", positions);
-  const int mesh = ribbon.add("meshes", {{"primitives", {primitive}}});
+  const int mesh = ribbon.add("meshes", {{"primitives", nlohmann::json::array({primitive})}});
   const int skin = ribbon.add("skins", {{"joints", nodes}, {"inverseBindMatrices", ribbon.accessor("MAT4", binds)}});
   ribbon.json["scenes"][0]["nodes"].push_back(ribbon.add("nodes", {{"mesh", mesh}, {"skin", skin}}));
 }

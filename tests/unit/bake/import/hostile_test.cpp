@@ -139,7 +139,7 @@ TEST(ImportHostile, NumbersThatAreNone) {
        [&](Ribbon& r) {
          r.primitive()["attributes"]["TEXCOORD_0"] = r.accessor<float>("VEC2", {nan, 0, 0, 0, 0, 0, 0, 0});
        }},
-      {"skin 0, inverse bind matrices: a value of",
+      {"skin 0, inverse bind matrices: matrix 1 has an entry that is no number",
        [&](Ribbon& r) { r.json["skins"][0]["inverseBindMatrices"] = r.accessor<float>("MAT4", binds); }},
   });
 }
@@ -221,7 +221,9 @@ TEST(ImportHostile, DocumentsThatAreNone) {
 }
 
 TEST(ImportHostile, BuffersThatAreMissing) {
-  const auto buffer = [](nlohmann::json stated) { return [=](Ribbon& r) { r.json["buffers"] = {stated}; }; };
+  const auto buffer = [](nlohmann::json stated) {
+    return [=](Ribbon& r) { r.json["buffers"] = nlohmann::json::array({stated}); };
+  };
   const auto count = Ribbon().binary.size();
   expectComplaints({
       {"buffer 0: it should have 100000 bytes and has", buffer({{"byteLength", 100000}})},
