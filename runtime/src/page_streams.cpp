@@ -34,7 +34,9 @@ uint64_t recordBound(const PagePlan& plan, const Decoded& before, const PageForm
     case format::kFlagsNew:
       return uint64_t{plan.node_count} * (plan.ended_levels ? plan.ended_levels : 1);
     case format::kGeneral:
-    case format::kWedgePicks:
+    case format::kClassPicks:
+    case format::kMemberPicks:
+    case format::kThirdPicks:
       return format::listedBound(splits, plan.face_count);
     case format::kWedgeClasses:
       return plan.wedge_count;
@@ -46,6 +48,7 @@ uint64_t recordBound(const PagePlan& plan, const Decoded& before, const PageForm
     case format::kSkinE:
     case format::kSkinNew:
       return splits * format::kMaxSkinJoints;
+    case format::kExtraMasks:
     case format::kNormals:
     case format::kTangents:
       return wedges;
@@ -73,11 +76,16 @@ bool parametersValid(const PageFormat& format, const uint8_t* parameters, bool b
       if (parameters[i] != 0) return false;
     return true;
   }
+  const uint32_t normal_laplacian = format.has.normals ? 32 : 0,
+                 normal_shift = format.has.normals ? format::kLowBitsMax : 0;
   if (parameters[format::kLaplacian] > 32 || parameters[format::kPositionBias] > 31 ||
-      parameters[format::kNormalShift] > format::kLowBitsMax || parameters[format::kTangentShift] > format::kLowBitsMax)
+      parameters[format::kNormalLaplacian] > normal_laplacian || parameters[format::kNormalShift] > normal_shift ||
+      parameters[format::kTangentShift] > (format.has.tangents ? format::kLowBitsMax : 0))
     return false;
   for (uint32_t s = 0; s < 8; ++s)
-    if (parameters[format::kUvBias0 + s] > (s < format.has.uv_sets ? 31 : 0)) return false;
+    if (parameters[format::kUvLaplacian0 + s] > (s < format.has.uv_sets ? 32 : 0) ||
+        parameters[format::kUvBias0 + s] > (s < format.has.uv_sets ? 31 : 0))
+      return false;
   return true;
 }
 

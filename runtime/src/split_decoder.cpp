@@ -147,19 +147,17 @@ uint32_t SplitDecoder::listedNode(uint32_t neighbour_count, uint32_t* node) {
 }
 
 uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
-  format::Neighbourhood sum[2] = {};
+  NeighbourSum sum[2] = {};
   const int32_t* w = out_->node_position + 3 * static_cast<size_t>(node);
   int32_t low_end[3] = {w[0], w[1], w[2]}, high_end[3] = {w[0], w[1], w[2]};
   for (uint32_t i = 0; i < fan_.count; ++i) {
-    format::Neighbourhood& side = sum[scratch_.at_b[i]];
+    NeighbourSum& side = sum[scratch_.at_b[i]];
     side.count += 2;
     const uint32_t neighbours[2] = {fan_.next[i], fan_.previous[i]};
     for (uint32_t neighbour : neighbours) {
       const int32_t* p = out_->node_position + 3 * static_cast<size_t>(neighbour);
-      side.x += p[0];
-      side.y += p[1];
-      side.z += p[2];
       for (int c = 0; c < 3; ++c) {
+        side.value[c] += p[c];
         low_end[c] = least(low_end[c], p[c]);
         high_end[c] = greatest(high_end[c], p[c]);
       }
@@ -172,11 +170,11 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
 
   IntReader* split = streams_->values[format::kSplits];
   int32_t d[3], k[3];
-  const int64_t sums_a[3] = {sum[0].x, sum[0].y, sum[0].z}, sums_b[3] = {sum[1].x, sum[1].y, sum[1].z};
   for (int c = 0; c < 3; ++c) {
     k[c] = split[kSplitLattice].next();
-    const int64_t exact = int64_t{residual(&split[kSplitPosition], low)} +
-                          format::predictDifference(sums_a[c], sum[0].count, sums_b[c], sum[1].count, laplacian);
+    const int64_t exact =
+        int64_t{residual(&split[kSplitPosition], low)} +
+        format::predictDifference(sum[0].value[c], sum[0].count, sum[1].value[c], sum[1].count, laplacian);
     // Larger differences cannot lie between two points of the grid, and would overflow below.
     if (exact >= 1 << format_.position_bits || exact <= -(1 << format_.position_bits)) return kCheckPosition;
     d[c] = static_cast<int32_t>(exact);
@@ -212,8 +210,8 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
     WedgeClass& wedge_class = scratch_.classes[i];
     if (code > format::kClassListed) return kCheckClasses;
     if (code == format::kClassListed) {
-      wedge_class.count_a = static_cast<uint32_t>(streams_->values[format::kWedgePicks][0].next());
-      wedge_class.count_b = static_cast<uint32_t>(streams_->values[format::kWedgePicks][0].next());
+      wedge_class.count_a = static_cast<uint32_t>(streams_->values[format::kMemberPicks][0].next());
+      wedge_class.count_b = static_cast<uint32_t>(streams_->values[format::kMemberPicks][0].next());
     } else {
       wedge_class.count_a = format::kClassA[code];
       wedge_class.count_b = format::kClassB[code];
@@ -252,11 +250,35 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
   return 0;
 }
 
-bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, int32_t t8, const uint16_t* parent, uint16_t* a,
-                                 uint16_t* b) {
+/// Prediction of two entries of the records from those at the other corners of the fan's faces in one class.
+format::Int2 SplitDecoder::predictPair(uint32_t wedge_class, uint32_t class_count, uint32_t at,
+                                       int32_t laplacian) const {
+  if (laplacian == 0 || class_count > format::kMaxPredictedClasses) return {0, 0};
+  const uint32_t stride = format_.layout.stride;
+  NeighbourSum sum[2] = {};
+  for (uint32_t i = 0; i < fan_.count; ++i) {
+    if (scratch_.wedge[i] != first_parent_wedge_ + wedge_class) continue;
+    NeighbourSum& side = sum[scratch_.at_b[i]];
+    const uint32_t k = fan_.corner[i] % 3, first = fan_.corner[i] - k;
+    side.count += 2;
+    for (uint32_t step = 1; step < 3; ++step) {
+      const size_t neighbour = out_->face_wedges[first + (k + step) % 3];
+      const uint16_t* record = out_->wedge_attributes + neighbour * stride + at;
+      side.value[0] += record[0];
+      side.value[1] += record[1];
+    }
+  }
+  return {format::predictDifference(sum[0].value[0], sum[0].count, sum[1].value[0], sum[1].count, laplacian),
+          format::predictDifference(sum[0].value[1], sum[0].count, sum[1].value[1], sum[1].count, laplacian)};
+}
+
+bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
+                                 const uint16_t* parent, uint16_t* a, uint16_t* b) {
   const int32_t center = static_cast<int32_t>(format_.normal_center), size = 2 * center;
-  const format::Int2 d{residual(high, static_cast<int32_t>(shift)), residual(high, static_cast<int32_t>(shift))};
-  if (d.x < -2 * size || d.x > 2 * size || d.y < -2 * size || d.y > 2 * size) return false;
+  const int64_t exact_x = int64_t{residual(high, static_cast<int32_t>(shift))} + predicted.x;
+  const int64_t exact_y = int64_t{residual(high, static_cast<int32_t>(shift))} + predicted.y;
+  if (exact_x < -2 * size || exact_x > 2 * size || exact_y < -2 * size || exact_y > 2 * size) return false;
+  const format::Int2 d{static_cast<int32_t>(exact_x), static_cast<int32_t>(exact_y)};
   const format::Int2 x{parent[0] - format::eighths(d.x, t8), parent[1] - format::eighths(d.y, t8)};
   const format::Int2 at_b = format::octahedralFold(x, center);
   const format::Int2 at_a = format::octahedralFold({x.x + d.x, x.y + d.y}, center);
@@ -274,70 +296,86 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
   const uint32_t stride = format_.layout.stride;
   const uint32_t count = out_->node_first_wedge[node + 1] - first_parent_wedge_;
   auto record = [&](uint32_t wedge) { return out_->wedge_attributes + static_cast<size_t>(wedge) * stride; };
-  const uint8_t* parameters = streams_->parameters;
   for (uint32_t i = 0; i < count; ++i) {
-    const WedgeClass& wedge_class = scratch_.classes[i];
+    const WedgeClass& c = scratch_.classes[i];
     const uint16_t* parent = record(first_parent_wedge_ + i);
-    if (wedge_class.count_a && wedge_class.count_b) {
-      uint16_t* a = record(wedge_class.first_a);
-      uint16_t* b = record(wedge_class.first_b);
-      uint32_t at = 0;
-      if (format_.has.normals) {
-        if (!readDirection(&streams_->values[format::kNormals][0], parameters[format::kNormalShift], t8, parent, a, b))
-          return kCheckWedge;
-        at += 2;
-      }
-      if (format_.has.tangents) {
-        IntReader* tangents = streams_->values[format::kTangents];
-        if (!readDirection(&tangents[0], parameters[format::kTangentShift], t8, parent + at, a + at, b + at))
-          return kCheckWedge;
-        const uint32_t flips = static_cast<uint32_t>(tangents[1].next());
-        if (flips > 3) return kCheckWedge;
-        b[at + 2] = parent[at + 2] ^ (flips & 1);
-        a[at + 2] = parent[at + 2] ^ (flips >> 1);
-        at += 3;
-      }
-      auto linear = [&](int32_t d) {
-        if (d < -greatest_[at] || d > greatest_[at]) return false;
-        const int32_t at_b = parent[at] - format::eighths(d, t8), at_a = at_b + d;
-        if (at_a < 0 || at_a > greatest_[at] || at_b < 0 || at_b > greatest_[at]) return false;
-        a[at] = static_cast<uint16_t>(at_a);
-        b[at++] = static_cast<uint16_t>(at_b);
-        return true;
-      };
-      for (uint32_t s = 0; s < format_.has.uv_sets; ++s) {
-        const int32_t low = format::lowBits(extent_, parameters[format::kUvBias0 + s]);
-        for (int c = 0; c < 2; ++c)
-          if (!linear(residual(&streams_->values[format::kUv0 + s][0], low))) return kCheckWedge;
-      }
-      for (uint32_t c = 0; c < 4 * format_.has.color_sets; ++c)
-        if (!linear(streams_->values[format::kColors][0].next())) return kCheckWedge;
+    if (c.count_a && c.count_b) {
+      if (!readPair(i, count, t8, parent, record(c.first_a), record(c.first_b))) return kCheckWedge;
     } else {
-      memcpy(record(wedge_class.count_a ? wedge_class.first_a : wedge_class.first_b), parent,
-             stride * sizeof(uint16_t));
+      memcpy(record(c.count_a ? c.first_a : c.first_b), parent, stride * sizeof(uint16_t));
     }
-    for (uint32_t side = 0; side < 2; ++side) {
-      const uint32_t first = side ? wedge_class.first_b : wedge_class.first_a;
-      const uint32_t members = side ? wedge_class.count_b : wedge_class.count_a;
-      for (uint32_t m = 1; m < members; ++m)
-        for (uint32_t v = 0; v < stride; ++v) {
-          const int32_t value = record(first)[v] + streams_->values[format::kExtras][0].next();
-          if (value < 0 || value > greatest_[v]) return kCheckWedge;
-          record(first + m)[v] = static_cast<uint16_t>(value);
-        }
-    }
+    for (uint32_t m = 1; m < c.count_a; ++m)
+      if (!readExtra(record(c.first_a), record(c.first_a + m))) return kCheckWedge;
+    for (uint32_t m = 1; m < c.count_b; ++m)
+      if (!readExtra(record(c.first_b), record(c.first_b + m))) return kCheckWedge;
   }
   return 0;
 }
 
-uint32_t SplitDecoder::pick(uint32_t count) {
-  return count > 1 ? static_cast<uint32_t>(streams_->values[format::kWedgePicks][0].next()) : 0;
+/// The records of a class's first wedges at either child.
+bool SplitDecoder::readPair(uint32_t wedge_class, uint32_t class_count, int32_t t8, const uint16_t* parent, uint16_t* a,
+                            uint16_t* b) {
+  const uint8_t* parameters = streams_->parameters;
+  uint32_t at = 0;
+  if (format_.has.normals) {
+    const format::Int2 predicted = predictPair(wedge_class, class_count, at, parameters[format::kNormalLaplacian]);
+    IntReader* normals = streams_->values[format::kNormals];
+    if (!readDirection(normals, parameters[format::kNormalShift], predicted, t8, parent, a, b)) return false;
+    at += 2;
+  }
+  if (format_.has.tangents) {
+    IntReader* tangents = streams_->values[format::kTangents];
+    if (!readDirection(&tangents[0], parameters[format::kTangentShift], {0, 0}, t8, parent + at, a + at, b + at))
+      return false;
+    const uint32_t flips = static_cast<uint32_t>(tangents[1].next());
+    if (flips > 3) return false;
+    b[at + 2] = static_cast<uint16_t>(parent[at + 2] ^ (flips & 1));
+    a[at + 2] = static_cast<uint16_t>(parent[at + 2] ^ (flips >> 1));
+    at += 3;
+  }
+  auto linear = [&](int64_t d) {
+    if (d < -greatest_[at] || d > greatest_[at]) return false;
+    const int32_t at_b = parent[at] - format::eighths(static_cast<int32_t>(d), t8),
+                  at_a = at_b + static_cast<int32_t>(d);
+    if (at_a < 0 || at_a > greatest_[at] || at_b < 0 || at_b > greatest_[at]) return false;
+    a[at] = static_cast<uint16_t>(at_a);
+    b[at++] = static_cast<uint16_t>(at_b);
+    return true;
+  };
+  for (uint32_t s = 0; s < format_.has.uv_sets; ++s) {
+    const format::Int2 predicted = predictPair(wedge_class, class_count, at, parameters[format::kUvLaplacian0 + s]);
+    const int32_t low = format::lowBits(extent_, parameters[format::kUvBias0 + s]);
+    IntReader* uvs = streams_->values[format::kUv0 + s];
+    if (!linear(int64_t{residual(uvs, low)} + predicted.x) || !linear(int64_t{residual(uvs, low)} + predicted.y))
+      return false;
+  }
+  for (uint32_t c = 0; c < 4 * format_.has.color_sets; ++c)
+    if (!linear(streams_->values[format::kColors][0].next())) return false;
+  return true;
+}
+
+bool SplitDecoder::readExtra(const uint16_t* first, uint16_t* extra) {
+  const uint32_t mask = static_cast<uint32_t>(streams_->values[format::kExtraMasks][0].next());
+  if (mask >> 12) return false;
+  for (uint32_t v = 0; v < format_.layout.stride; ++v) {
+    const format::ExtraField field = format::extraField(format_.has, v);
+    extra[v] = first[v];
+    if (!(mask >> field.group & 1)) continue;
+    const int64_t value = int64_t{first[v]} + residual(&streams_->values[format::kExtras][0], field.low);
+    if (value < 0 || value > greatest_[v]) return false;
+    extra[v] = static_cast<uint16_t>(value);
+  }
+  return true;
+}
+
+uint32_t SplitDecoder::pick(format::SplitStream stream, uint32_t count) {
+  return count > 1 ? static_cast<uint32_t>(streams_->values[stream][0].next()) : 0;
 }
 
 bool SplitDecoder::childWedge(uint32_t wedge_class, bool at_b, uint32_t* wedge) {
   const WedgeClass& c = scratch_.classes[wedge_class];
   const uint32_t members = at_b ? c.count_b : c.count_a;
-  const uint32_t member = pick(members);
+  const uint32_t member = pick(format::kMemberPicks, members);
   if (member >= members) return false;
   *wedge = (at_b ? c.first_b : c.first_a) + member;
   return true;
@@ -386,7 +424,7 @@ uint32_t SplitDecoder::addFace(const NewFace& face) {
     const uint32_t corner = fan_.corner[face.beside], k = corner % 3;
     guessed_third = out_->face_wedges[corner - k + (k + (face.beside_ends ? 2 : 1)) % 3];
   }
-  const uint32_t class_symbol = class_count > 1 ? pick(class_count) : 1;
+  const uint32_t class_symbol = class_count > 1 ? pick(format::kClassPicks, class_count) : 1;
   const uint32_t wedge_class = class_symbol == 0 ? guessed_class : class_symbol - 1;
   if (wedge_class >= class_count) return kCheckPick;
   uint32_t wedges[3];
@@ -394,7 +432,7 @@ uint32_t SplitDecoder::addFace(const NewFace& face) {
     return kCheckPick;
   const uint32_t third_first = out_->node_first_wedge[face.third];
   const uint32_t third_count = out_->node_first_wedge[face.third + 1] - third_first;
-  const uint32_t third_symbol = third_count > 1 ? pick(third_count) : 1;
+  const uint32_t third_symbol = third_count > 1 ? pick(format::kThirdPicks, third_count) : 1;
   wedges[1] = third_symbol == 0 ? guessed_third : third_first + third_symbol - 1;
   if (wedges[1] - third_first >= third_count) return kCheckPick;
   if (out_->wedge_part[wedges[1]] != out_->wedge_part[wedges[0]]) return kCheckPick;

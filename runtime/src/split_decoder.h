@@ -3,6 +3,7 @@
 /// Applies the splits of a page, one after the other, to the current cut.
 #pragma once
 
+#include "lithe/format/octahedral.h"
 #include "lithe/format/placement.h"
 #include "page_streams.h"
 #include "skin_order.h"
@@ -13,6 +14,12 @@ namespace lithe::runtime {
 struct WedgeClass {
   uint32_t first_a, first_b;  ///< first wedge at either child
   uint32_t count_a, count_b;
+};
+
+/// Sums over the neighbours of one child: each of its faces adds its two other corners.
+struct NeighbourSum {
+  int64_t value[3];
+  int64_t count;
 };
 
 /// Memory for the node that is being split: max_fan entries each.
@@ -54,12 +61,17 @@ class SplitDecoder {
   uint32_t placeChildren(uint32_t node, int32_t t8);
   uint32_t readClasses(uint32_t node);
   uint32_t readAttributes(uint32_t node, int32_t t8);
-  bool readDirection(IntReader* high, uint32_t shift, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
+  bool readPair(uint32_t wedge_class, uint32_t class_count, int32_t t8, const uint16_t* parent, uint16_t* a,
+                uint16_t* b);
+  format::Int2 predictPair(uint32_t wedge_class, uint32_t class_count, uint32_t at, int32_t laplacian) const;
+  bool readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8, const uint16_t* parent,
+                     uint16_t* a, uint16_t* b);
   uint32_t moveFan();
   uint32_t addFaces();
   uint32_t addFace(const NewFace& face);
   uint32_t readSkins(uint32_t node, int32_t mode, int32_t t8);
-  uint32_t pick(uint32_t count);
+  bool readExtra(const uint16_t* first, uint16_t* extra);
+  uint32_t pick(format::SplitStream stream, uint32_t count);
   bool childWedge(uint32_t wedge_class, bool at_b, uint32_t* wedge);
   int32_t residual(IntReader* high, int32_t low) {
     const uint32_t bits = streams_->low_bits.next(low);

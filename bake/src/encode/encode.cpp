@@ -169,8 +169,11 @@ const char* streamKind(format::PageKind page, uint32_t stream) {
     case format::kSkinNew:
       return "skin";
     case format::kWedgeClasses:
-    case format::kWedgePicks:
+    case format::kClassPicks:
+    case format::kMemberPicks:
+    case format::kThirdPicks:
       return "wedges";
+    case format::kExtraMasks:
     case format::kExtras:
       return "extra wedges";
     case format::kFlagsOld:

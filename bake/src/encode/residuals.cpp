@@ -9,10 +9,10 @@
 namespace lithe::bake {
 namespace {
 
-std::array<int32_t, 3> predicted(const PositionResidual& r, int32_t laplacian) {
-  std::array<int32_t, 3> residual;
-  for (int i = 0; i < 3; ++i)
-    residual[i] = r.difference[i] - format::predictDifference(r.sum_a[i], r.count_a, r.sum_b[i], r.count_b, laplacian);
+std::array<int32_t, 3> predicted(const Residual& r, int32_t laplacian) {
+  std::array<int32_t, 3> residual = r.difference;
+  for (uint32_t i = 0; i < r.components; ++i)
+    residual[i] -= format::predictDifference(r.sum_a[i], r.count_a, r.sum_b[i], r.count_b, laplacian);
   return residual;
 }
 
@@ -67,71 +67,68 @@ struct Residuals::Series {
   }
 };
 
-void Residuals::addPosition(const PositionResidual& residual) {
-  items_.push_back({Kind::kPosition, 0, static_cast<uint32_t>(positions_.size()), 0, 0, residual.extent});
-  positions_.push_back(residual);
-}
-
-void Residuals::add(Kind kind, uint32_t set, int32_t x, int32_t y, uint32_t extent) {
-  items_.push_back({kind, static_cast<uint8_t>(set), 0, x, y, extent});
-}
-
-Residuals::Series Residuals::seriesOf(Kind kind, uint32_t set, int32_t laplacian) const {
+Residuals::Series Residuals::seriesOf(Residual::Kind kind, uint32_t set, int32_t laplacian) const {
   Series series;
-  for (const Item& item : items_) {
+  for (const Residual& item : items_) {
     if (item.kind != kind || item.set != set) continue;
-    if (kind == Kind::kPosition) {
-      for (int32_t value : predicted(positions_[item.index], laplacian)) series.values.push_back(value);
-    } else {
-      series.values.push_back(item.x);
-      series.values.push_back(item.y);
-    }
+    const auto values = predicted(item, laplacian);
+    series.values.insert(series.values.end(), values.begin(), values.begin() + item.components);
     series.extents.resize(series.values.size(), item.extent);
   }
   return series;
 }
 
-void Residuals::finish(PageData& page) const {
-  auto& parameters = page.parameters;
+uint8_t Residuals::bestLaplacian(Residual::Kind kind, uint32_t set) const {
+  uint8_t choice = 0;
   double least = 1e300;
   for (uint8_t laplacian = 0; laplacian <= 20; laplacian += 2) {
-    const double bits = seriesOf(Kind::kPosition, 0, laplacian).magnitude();
-    if (bits < least) least = bits, parameters[format::kLaplacian] = laplacian;
+    const double bits = seriesOf(kind, set, laplacian).magnitude();
+    if (bits < least) least = bits, choice = laplacian;
   }
+  return choice;
+}
+
+void Residuals::finish(PageData& page) const {
+  using Kind = Residual::Kind;
+  auto& parameters = page.parameters;
+  parameters[format::kLaplacian] = bestLaplacian(Kind::kPosition, 0);
   parameters[format::kPositionBias] = seriesOf(Kind::kPosition, 0, parameters[format::kLaplacian]).best(true);
-  parameters[format::kNormalShift] = seriesOf(Kind::kNormal, 0, 0).best(false);
+  parameters[format::kNormalLaplacian] = bestLaplacian(Kind::kNormal, 0);
+  parameters[format::kNormalShift] = seriesOf(Kind::kNormal, 0, parameters[format::kNormalLaplacian]).best(false);
   parameters[format::kTangentShift] = seriesOf(Kind::kTangent, 0, 0).best(false);
-  for (uint32_t set = 0; set < 8; ++set) parameters[format::kUvBias0 + set] = seriesOf(Kind::kUv, set, 0).best(true);
+  for (uint32_t set = 0; set < 8; ++set) {
+    parameters[format::kUvLaplacian0 + set] = bestLaplacian(Kind::kUv, set);
+    parameters[format::kUvBias0 + set] = seriesOf(Kind::kUv, set, parameters[format::kUvLaplacian0 + set]).best(true);
+  }
 
   BitWriter low_bits;
-  auto put = [&low_bits](std::vector<int32_t>& values, int32_t value, int32_t low) {
-    values.push_back(value >> low);
-    low_bits.write(static_cast<uint32_t>(value), low);
+  auto put = [&](const Residual& item, StreamData::Attribute& attribute, int32_t laplacian, int32_t low) {
+    const auto values = predicted(item, laplacian);
+    for (uint32_t i = 0; i < item.components; ++i) {
+      attribute.values.push_back(values[i] >> low);
+      low_bits.write(static_cast<uint32_t>(values[i]), low);
+    }
   };
-  for (const Item& item : items_) {
+  for (const Residual& item : items_) {
     switch (item.kind) {
-      case Kind::kPosition: {
-        const int32_t low = format::lowBits(item.extent, parameters[format::kPositionBias]);
-        auto& values = page.streams[format::kSplits].attributes[4].values;
-        for (int32_t value : predicted(positions_[item.index], parameters[format::kLaplacian])) put(values, value, low);
+      case Kind::kPosition:
+        put(item, page.streams[format::kSplits].attributes[4], parameters[format::kLaplacian],
+            format::lowBits(item.extent, parameters[format::kPositionBias]));
         break;
-      }
       case Kind::kNormal:
-      case Kind::kTangent: {
-        const bool normal = item.kind == Kind::kNormal;
-        const int32_t low = parameters[normal ? format::kNormalShift : format::kTangentShift];
-        auto& values = page.streams[normal ? format::kNormals : format::kTangents].attributes[0].values;
-        put(values, item.x, low);
-        put(values, item.y, low);
+        put(item, page.streams[format::kNormals].attributes[0], parameters[format::kNormalLaplacian],
+            parameters[format::kNormalShift]);
         break;
-      }
-      case Kind::kUv: {
-        const int32_t low = format::lowBits(item.extent, parameters[format::kUvBias0 + item.set]);
-        auto& values = page.streams[format::kUv0 + item.set].attributes[0].values;
-        put(values, item.x, low);
-        put(values, item.y, low);
+      case Kind::kTangent:
+        put(item, page.streams[format::kTangents].attributes[0], 0, parameters[format::kTangentShift]);
         break;
-      }
+      case Kind::kUv:
+        put(item, page.streams[format::kUv0 + item.set].attributes[0], parameters[format::kUvLaplacian0 + item.set],
+            format::lowBits(item.extent, parameters[format::kUvBias0 + item.set]));
+        break;
+      case Kind::kExtra:
+        put(item, page.streams[format::kExtras].attributes[0], 0, static_cast<int32_t>(item.extent));
+        break;
     }
   }
   page.low_bits = low_bits.bytes();

@@ -75,7 +75,7 @@ void SplitEncoder::split(uint32_t node) {
 
   writeConnectivity(plan, fan, ring);
   writePosition(hierarchy_node, plan, fan);
-  writeWedges(node, plan);
+  writeWedges(node, plan, fan);
   addFaces(node, plan, fan, ring);
   encodeSkins(cut_.h.skin[hierarchy_node], cut_.h.skin[plan.a], cut_.h.skin[plan.b], plan.t8, settings_.weight_one,
               page_);
@@ -192,7 +192,8 @@ void SplitEncoder::writeConnectivity(const Plan& plan, const format::Fan& fan, c
 
 void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) {
   const Hierarchy& h = cut_.h;
-  PositionResidual residual{};
+  Residual residual;
+  residual.components = 3;
   glm::ivec3 least = h.position[hierarchy_node], greatest = least;
   for (uint32_t i = 0; i < fan.count; ++i) {
     auto& sum = plan.at_b[i] ? residual.sum_b : residual.sum_a;
@@ -207,7 +208,7 @@ void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, cons
   const glm::ivec3 spread = greatest - least, b = h.position[plan.b], d = h.position[plan.a] - b;
   residual.extent = static_cast<uint32_t>(std::max({spread.x, spread.y, spread.z}));
   residual.difference = {d.x, d.y, d.z};
-  residuals_.addPosition(residual);
+  residuals_.add(residual);
 
   const format::Int3 difference{d.x, d.y, d.z};
   const format::Int3 centre = format::pointBetween({b.x, b.y, b.z}, difference, plan.t8);
@@ -224,7 +225,7 @@ std::vector<uint32_t> SplitEncoder::membersOf(uint32_t hierarchy_wedge, uint32_t
 }
 
 // The children's wedges are numbered class by class, child A's before child B's.
-void SplitEncoder::writeWedges(uint32_t node, const Plan& plan) {
+void SplitEncoder::writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan) {
   std::vector<std::vector<uint32_t>> of_a, of_b;
   std::vector<uint32_t> wedges_a, wedges_b;
   const uint32_t first = cut_.node_first_wedge[node], end = cut_.node_first_wedge[node + 1];
@@ -240,49 +241,93 @@ void SplitEncoder::writeWedges(uint32_t node, const Plan& plan) {
     page_.streams[format::kWedgeClasses].put(code);
     if (code == format::kClassListed)
       for (size_t count : {of_a.back().size(), of_b.back().size()})
-        page_.streams[format::kWedgePicks].put(static_cast<int32_t>(count));
+        page_.streams[format::kMemberPicks].put(static_cast<int32_t>(count));
   }
-  for (uint32_t w = first; w < end; ++w)
-    writeAttributes(cut_.wedge_hierarchy[w], of_a[w - first], of_b[w - first], plan);
+  for (uint32_t w = first; w < end; ++w) writeAttributes(w, of_a[w - first], of_b[w - first], plan, fan);
   cut_.addNode(plan.a, wedges_a);
   cut_.addNode(plan.b, wedges_b);
 }
 
-void SplitEncoder::writeDirection(Residuals::Kind kind, uint32_t at, uint32_t parent, uint32_t a, uint32_t b,
-                                  int32_t t8) {
+format::Int2 SplitEncoder::directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, int32_t t8) const {
   auto point = [&](uint32_t wedge) { return format::Int2{attributes(wedge)[at], attributes(wedge)[at + 1]}; };
   const auto d = octahedralDifference(point(parent), point(b), point(a), t8, settings_.normal_center);
   if (!d) throw Error("a direction cannot be recovered from its parent: this is a fault of lithe, please report it");
-  residuals_.add(kind, 0, d->x, d->y, 0);
+  return *d;
 }
 
-void SplitEncoder::writeAttributes(uint32_t parent, const std::vector<uint32_t>& of_a,
-                                   const std::vector<uint32_t>& of_b, const Plan& plan) {
+// Sums of two entries of the records at the other corners of the fan's faces in one class.
+void SplitEncoder::sumNeighbours(uint32_t wedge, uint32_t at, const Plan& plan, const format::Fan& fan,
+                                 Residual& residual) const {
+  const uint32_t node = cut_.wedge_node[wedge];
+  if (cut_.node_first_wedge[node + 1] - cut_.node_first_wedge[node] > format::kMaxPredictedClasses) return;
+  for (uint32_t i = 0; i < fan.count; ++i) {
+    const auto& face = cut_.face_wedges[fan.corner[i] / 3];
+    const uint32_t k = fan.corner[i] % 3;
+    if (face[k] != wedge) continue;
+    auto& sum = plan.at_b[i] ? residual.sum_b : residual.sum_a;
+    (plan.at_b[i] ? residual.count_b : residual.count_a) += 2;
+    for (uint32_t neighbour : {face[(k + 1) % 3], face[(k + 2) % 3]})
+      for (uint32_t c = 0; c < 2; ++c) sum[c] += attributes(cut_.wedge_hierarchy[neighbour])[at + c];
+  }
+}
+
+void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
+                                   const Plan& plan, const format::Fan& fan) {
   const WedgeRecord& record = cut_.h.record;
+  const uint32_t parent = cut_.wedge_hierarchy[wedge];
+  auto pair = [](Residual::Kind kind, uint32_t set, format::Int2 d) {
+    Residual residual;
+    residual.kind = kind;
+    residual.set = static_cast<uint8_t>(set);
+    residual.components = 2;
+    residual.difference = {d.x, d.y, 0};
+    return residual;
+  };
   if (!of_a.empty() && !of_b.empty()) {
     const uint32_t a = of_a[0], b = of_b[0];
-    if (record.normal != kNone) writeDirection(Residuals::Kind::kNormal, record.normal, parent, a, b, plan.t8);
+    if (record.normal != kNone) {
+      Residual residual = pair(Residual::Kind::kNormal, 0, directionDifference(record.normal, parent, a, b, plan.t8));
+      sumNeighbours(wedge, record.normal, plan, fan, residual);
+      residuals_.add(residual);
+    }
     if (record.tangent != kNone) {
-      writeDirection(Residuals::Kind::kTangent, record.tangent, parent, a, b, plan.t8);
+      residuals_.add(pair(Residual::Kind::kTangent, 0, directionDifference(record.tangent, parent, a, b, plan.t8)));
       const uint32_t sign = record.tangent + 2;
       page_.streams[format::kTangents].attributes[1].values.push_back(
           (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));
     }
     const glm::ivec3 d = glm::abs(cut_.h.position[plan.a] - cut_.h.position[plan.b]);
-    const uint32_t extent = static_cast<uint32_t>(std::max({d.x, d.y, d.z}));
     for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) {
       const uint32_t at = record.uv[s];
-      residuals_.add(Residuals::Kind::kUv, s, attributes(a)[at] - attributes(b)[at],
-                     attributes(a)[at + 1] - attributes(b)[at + 1], extent);
+      Residual residual = pair(Residual::Kind::kUv, s,
+                               {attributes(a)[at] - attributes(b)[at], attributes(a)[at + 1] - attributes(b)[at + 1]});
+      residual.extent = static_cast<uint32_t>(std::max({d.x, d.y, d.z}));
+      sumNeighbours(wedge, at, plan, fan, residual);
+      residuals_.add(residual);
     }
     for (uint32_t s = 0; s < settings_.has.color_sets; ++s)
       for (uint32_t c = 0; c < 4; ++c)
         page_.streams[format::kColors].put(attributes(a)[record.color[s] + c] - attributes(b)[record.color[s] + c]);
   }
   for (const auto* side : {&of_a, &of_b})
-    for (size_t m = 1; m < side->size(); ++m)
-      for (uint32_t i = 0; i < record.stride; ++i)
-        page_.streams[format::kExtras].put(attributes((*side)[m])[i] - attributes((*side)[0])[i]);
+    for (size_t m = 1; m < side->size(); ++m) writeExtra((*side)[0], (*side)[m]);
+}
+
+// Across a seam often only one attribute differs: a mask says which do.
+void SplitEncoder::writeExtra(uint32_t first, uint32_t extra) {
+  uint32_t mask = 0;
+  for (uint32_t i = 0; i < cut_.h.record.stride; ++i)
+    if (attributes(extra)[i] != attributes(first)[i]) mask |= 1u << format::extraField(settings_.has, i).group;
+  page_.streams[format::kExtraMasks].put(static_cast<int32_t>(mask));
+  for (uint32_t i = 0; i < cut_.h.record.stride; ++i) {
+    const format::ExtraField field = format::extraField(settings_.has, i);
+    if (!(mask >> field.group & 1)) continue;
+    Residual residual;
+    residual.kind = Residual::Kind::kExtra;
+    residual.difference[0] = attributes(extra)[i] - attributes(first)[i];
+    residual.extent = field.low;
+    residuals_.add(residual);
+  }
 }
 
 void SplitEncoder::pickMember(uint32_t hierarchy_wedge, uint32_t child, uint32_t leaf_wedge) {
@@ -291,7 +336,7 @@ void SplitEncoder::pickMember(uint32_t hierarchy_wedge, uint32_t child, uint32_t
   uint32_t wedge = leaf_wedge;
   while (cut_.h.wedge_node[wedge] != child) wedge = cut_.h.wedge_parent[wedge];
   const auto at = std::find(members.begin(), members.end(), wedge);
-  pick(static_cast<uint32_t>(at - members.begin()), static_cast<uint32_t>(members.size()));
+  pick(format::kMemberPicks, static_cast<uint32_t>(at - members.begin()), static_cast<uint32_t>(members.size()));
 }
 
 // The fan's corners go to the children's wedges.
@@ -333,12 +378,12 @@ void SplitEncoder::addFaces(uint32_t node, const Plan& plan, const format::Fan& 
     const uint32_t wedge_last = cut_.wedgeAt(cut_.file_node[child_last], leaf_last);
     const uint32_t parent_wedge = h.wedge_parent[cut_.wedge_hierarchy[wedge_first]];
     const uint32_t face_class = cut_.file_wedge[parent_wedge] - first_wedge;
-    pick(face_class == guessed_class ? 0 : face_class + 1, wedge_count);
+    pick(format::kClassPicks, face_class == guessed_class ? 0 : face_class + 1, wedge_count);
     pickMember(parent_wedge, child_first, leaf_first);
     pickMember(parent_wedge, child_last, leaf_last);
     const uint32_t wedge_third = cut_.wedgeAt(face.third, leaf_third);
     const uint32_t third_first = cut_.node_first_wedge[face.third];
-    pick(wedge_third == guessed_third ? 0 : wedge_third - third_first + 1,
+    pick(format::kThirdPicks, wedge_third == guessed_third ? 0 : wedge_third - third_first + 1,
          cut_.node_first_wedge[face.third + 1] - third_first);
     cut_.addFace(face.triangle, face.rotation, {wedge_first, wedge_third, wedge_last});
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cut.h"
+#include "lithe/format/octahedral.h"
 #include "page_streams.h"
 #include "residuals.h"
 
@@ -53,15 +54,17 @@ class SplitEncoder {
   bool tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, int32_t mode) const;
   void writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring);
   void writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
-  void writeWedges(uint32_t node, const Plan& plan);
-  void writeAttributes(uint32_t parent, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
-                       const Plan& plan);
-  void writeDirection(Residuals::Kind kind, uint32_t at, uint32_t parent, uint32_t a, uint32_t b, int32_t t8);
+  void writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan);
+  void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
+                       const Plan& plan, const format::Fan& fan);
+  format::Int2 directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, int32_t t8) const;
+  void sumNeighbours(uint32_t wedge, uint32_t at, const Plan& plan, const format::Fan& fan, Residual& residual) const;
   void moveFan(const Plan& plan, const format::Fan& fan);
   void addFaces(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
-  void pick(uint32_t index, uint32_t count) {
-    if (count > 1) page_.streams[format::kWedgePicks].put(static_cast<int32_t>(index));
+  void pick(format::SplitStream stream, uint32_t index, uint32_t count) {
+    if (count > 1) page_.streams[stream].put(static_cast<int32_t>(index));
   }
+  void writeExtra(uint32_t first, uint32_t extra);
   const int32_t* attributes(uint32_t hierarchy_wedge) const {
     return cut_.h.wedge_attributes.data() + size_t{hierarchy_wedge} * cut_.h.record.stride;
   }

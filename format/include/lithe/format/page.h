@@ -11,8 +11,7 @@
 
 namespace lithe::format {
 
-// ---- Layout
-// ----------------------------------------------------------------------------------------------------------
+// ---- Layout ----
 
 enum PageKind : uint8_t { kBasePage = 0, kSplitPage = 1 };
 
@@ -40,14 +39,17 @@ enum SplitStream : uint32_t {
   kCutOpen,       ///< cut vertices of open rings
   kGeneral,       ///< the corners of child B and the new faces of irregular splits
   kWedgeClasses,  ///< per wedge of a split node: how many wedges each child gets
-  kWedgePicks,    ///< which wedge, where there are several
+  kClassPicks,    ///< per new face: which wedge of the split node, where it has several
+  kMemberPicks,   ///< which wedge of a class at a child, where it has several
+  kThirdPicks,    ///< per new face: which wedge of its third node, where it has several
   kNormals,       ///< per united wedge: high parts x y
   kTangents,      ///< per united wedge: high parts x y | sign flip
   kColors,        ///< per united wedge and set: r g b a
   kSkinD,         ///< differences of the children's weights
   kSkinE,         ///< difference of child B's weights to the parent's, where the skin is free
   kSkinNew,       ///< counts of joints the parent lacks, and their ids
-  kExtras,        ///< attributes of a class's further wedges
+  kExtraMasks,    ///< per further wedge of a class: which attributes differ from the first one's
+  kExtras,        ///< the differences, high parts
   kUv0,           ///< per united wedge: high parts x y; one stream per uv set
   kSplitStreamCount = kUv0 + 8
 };
@@ -110,21 +112,27 @@ constexpr uint32_t splitStreamAttributes(uint32_t stream, WedgeAttributes has, S
   return n;
 }
 
-/// Page parameters, one byte each; bytes not named are zero.
+/// Page parameters, one byte each; those of attributes that the asset lacks are zero.
 enum Parameter : uint32_t {
-  kLaplacian,     ///< prediction of D: sixteenths of the difference of the children's neighbourhoods [0, 32]
-  kPositionBias,  ///< low bits of a D residual = max(0, bit length of the ring's extent - bias) [0, 31]
-  kNormalShift,   ///< low bits of a normal difference [0, 15]
-  kTangentShift,
-  kUvBias0,  ///< low bits of a uv difference = max(0, bit length of |D| - bias) [0, 31]; one byte per uv set
+  kLaplacian,        ///< prediction of D: sixteenths of the difference of the children's neighbourhoods [0, 32]
+  kPositionBias,     ///< low bits of a D residual = max(0, bit length of the ring's extent - bias) [0, 31]
+  kNormalLaplacian,  ///< the same prediction for normals, per class [0, 32]
+  kNormalShift,      ///< low bits of a normal's residual [0, 15]
+  kTangentShift,     ///< low bits of a tangent's difference [0, 15]
+  kUvLaplacian0,     ///< the same prediction for uvs; one byte per uv set
+  kUvBias0 =
+      kUvLaplacian0 + 8,  ///< low bits of a uv residual = max(0, bit length of |D| - bias) [0, 31]; one per uv set
   kParameterBytes = kUvBias0 + 8
 };
+
+/// Nodes with more wedges than this are split without prediction of normals and uvs, which bounds the reader's work.
+inline constexpr uint32_t kMaxPredictedClasses = 8;
 
 inline constexpr uint32_t kLowBitsMax = 15;
 inline constexpr uint32_t kMaxRing = 64;            ///< larger fans are split in mode kModeGeneral
 inline constexpr uint32_t kMaxPageWork = 1u << 26;  ///< corners visited while a page's splits are applied
 
-/// Upper bounds on a split page's records that its own tables do not give: kGeneral and kWedgePicks.
+/// Upper bounds on a split page's records that its own tables do not give: kGeneral and the picks.
 constexpr uint64_t listedBound(uint64_t splits, uint64_t faces) { return 32 * (splits + faces); }
 inline constexpr uint32_t kMaxSkinJoints = 24;  ///< joints of a parent and its two children together
 
@@ -141,8 +149,7 @@ enum SkinMode : int32_t {
   kSkinFree = 2,  ///< both children are given against the parent
 };
 
-// ---- Arithmetic
-// ------------------------------------------------------------------------------------------------------
+// ---- Arithmetic ----
 
 /// Number of bits of v >= 0: 0 for 0, 1 for 1, 2 for 2 and 3, ...
 constexpr int32_t bitLength(uint32_t v) {
@@ -157,7 +164,7 @@ constexpr int32_t lowBits(uint32_t extent, uint32_t bias) {
 }
 
 /// Wedges of child A and child B that a parent wedge stands for, by class code; codes from kClassListed on are followed
-/// by the two counts in kWedgePicks.
+/// by the two counts in kMemberPicks.
 inline constexpr uint8_t kClassA[6] = {1, 1, 0, 2, 1, 2};
 inline constexpr uint8_t kClassB[6] = {1, 0, 1, 1, 2, 2};
 inline constexpr int32_t kClassListed = 6;
@@ -174,8 +181,28 @@ constexpr void pairOf(uint32_t index, uint32_t* p, uint32_t* q) {
 /// The stream of cut vertices for a closed ring of n edges.
 constexpr uint32_t cutStream(uint32_t n) { return n >= 9 ? static_cast<uint32_t>(kCut9) : kCut3 + (n < 3 ? 0 : n - 3); }
 
-// ---- Rings
-// -----------------------------------------------------------------------------------------------------------
+/// What an entry of a wedge's record means for a class's further wedges: the bit of kExtraMasks that its attribute has
+/// (normal 0, tangent 1, uv sets 2 .. 9, colour sets 10 .. 11) and how many low bits its difference has.
+struct ExtraField {
+  uint8_t group;
+  uint8_t low;
+};
+inline constexpr uint8_t kExtraLowBits = 5;
+
+constexpr ExtraField extraField(WedgeAttributes has, uint32_t index) {
+  if (has.normals) {
+    if (index < 2) return {0, kExtraLowBits};
+    index -= 2;
+  }
+  if (has.tangents) {
+    if (index < 3) return {1, static_cast<uint8_t>(index < 2 ? kExtraLowBits : 0)};
+    index -= 3;
+  }
+  if (index < 2 * has.uv_sets) return {static_cast<uint8_t>(2 + index / 2), kExtraLowBits};
+  return {static_cast<uint8_t>(10 + (index - 2 * has.uv_sets) / 4), 0};
+}
+
+// ---- Rings ----
 
 /// The faces around a node w in the current cut: corner ids (3 * face + k) in ascending order, and for each the nodes
 /// of the next and the previous corner of its face. Seen from w, the face's edge runs from `next` to `previous`.
@@ -231,12 +258,6 @@ inline void buildRing(const Fan& fan, Ring& ring) {
   if (length != n) return;
   ring.kind = open_ends ? RingKind::kOpen : RingKind::kClosed;
 }
-
-/// Sums over the neighbours of one child: each face at the child adds its two other corners.
-struct Neighbourhood {
-  int64_t x, y, z;
-  int64_t count;
-};
 
 /// floor(a / b) for b > 0.
 constexpr int64_t floorDivide(int64_t a, int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
