@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "asset_cut.h"
 #include "float_vertices.h"
 
 namespace lithe::tool {
@@ -99,103 +100,10 @@ void fillVertices(Model& model, const Asset& asset, uint32_t vertex_count) {
   }
 }
 
-// ---- A cut between levels ------------------------------------------------------------------------------------------
-
-/// The cuts of a hierarchy by the number of its nodes that exist: nodes [0, limit) with limit - roots even, since
-/// children come in pairs and in the order of their splits.
-class Cuts {
- public:
-  explicit Cuts(const Asset& asset) {
-    lithe_asset_hierarchy(asset.get(), &hierarchy_);
-    while (roots_ < hierarchy_.node_count && hierarchy_.node_parent[roots_] == LITHE_NO_INDEX) ++roots_;
-  }
-
-  uint32_t splits() const { return (hierarchy_.node_count - roots_) / 2; }
-
-  /// The faces of the cut after `splits` splits, corners as wedges, equal ones once, in the order of the file.
-  std::vector<Triangle> faces(uint32_t splits) const {
-    const std::vector<uint32_t> wedge = ancestors(roots_ + 2 * splits);
-    std::vector<Triangle> faces;
-    for (uint32_t face = 0; face < hierarchy_.face_count; ++face) {
-      const uint32_t* corner = hierarchy_.face_wedges + 3 * face;
-      const Triangle triangle{wedge[corner[0]], wedge[corner[1]], wedge[corner[2]]};
-      if (!collapsed(triangle)) faces.push_back(triangle);
-    }
-    dropEqual(faces);
-    return faces;
-  }
-
-  uint32_t part(const Triangle& triangle) const { return hierarchy_.wedge_part[triangle[0]]; }
-
- private:
-  /// For each wedge the one that stands for it while only nodes below `limit` exist.
-  std::vector<uint32_t> ancestors(uint32_t limit) const {
-    std::vector<uint32_t> wedge(hierarchy_.wedge_count);
-    for (uint32_t w = 0; w < hierarchy_.wedge_count; ++w) {
-      wedge[w] = hierarchy_.wedge_node[w] < limit ? w : wedge[hierarchy_.wedge_parent[w]];
-    }
-    return wedge;
-  }
-
-  uint32_t node(uint32_t wedge) const { return hierarchy_.wedge_node[wedge]; }
-
-  bool collapsed(const Triangle& t) const {
-    return node(t[0]) == node(t[1]) || node(t[1]) == node(t[2]) || node(t[2]) == node(t[0]);
-  }
-
-  /// The nodes of a face's corners, turned so that the smallest is first: equal for equal faces of the same
-  /// orientation.
-  Triangle key(const Triangle& t) const {
-    Triangle nodes{node(t[0]), node(t[1]), node(t[2])};
-    std::rotate(nodes.begin(), std::min_element(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
-  }
-
-  void dropEqual(std::vector<Triangle>& faces) const {
-    std::vector<std::pair<Triangle, uint32_t>> order(faces.size());
-    for (uint32_t i = 0; i < faces.size(); ++i) order[i] = {key(faces[i]), i};
-    std::sort(order.begin(), order.end());
-    std::vector<bool> repeated(faces.size(), false);
-    for (size_t i = 1; i < order.size(); ++i) repeated[order[i].second] = order[i].first == order[i - 1].first;
-    size_t kept = 0;
-    for (size_t i = 0; i < faces.size(); ++i) {
-      if (!repeated[i]) faces[kept++] = faces[i];
-    }
-    faces.resize(kept);
-  }
-
-  lithe_hierarchy hierarchy_{};
-  uint32_t roots_ = 0;
-};
-
-uint32_t distance(size_t count, uint32_t target) {
-  return count > target ? static_cast<uint32_t>(count - target) : static_cast<uint32_t>(target - count);
-}
-
-/// The triangle count grows with the splits (but for a few faces that become equal), so halving finds the target.
-std::vector<Triangle> facesNear(const Cuts& cuts, uint32_t target) {
-  uint32_t low = 0, high = cuts.splits();
-  std::vector<Triangle> best = cuts.faces(high);
-  const auto better = [&](std::vector<Triangle> faces) {
-    const size_t count = faces.size();
-    if (distance(count, target) < distance(best.size(), target)) best = std::move(faces);
-    return count;
-  };
-  better(cuts.faces(0));
-  while (low < high) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (better(cuts.faces(middle)) < target)
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return best;
-}
-
-void fillTriangles(Model& model, std::vector<Triangle> faces, const Cuts& cuts) {
+void fillTriangles(Model& model, std::vector<CutFace> faces, const Cuts& cuts) {
   std::stable_sort(faces.begin(), faces.end(),
-                   [&](const Triangle& a, const Triangle& b) { return cuts.part(a) < cuts.part(b); });
-  for (const Triangle& face : faces) model.triangle_part.push_back(cuts.part(face));
+                   [&](const CutFace& a, const CutFace& b) { return cuts.part(a) < cuts.part(b); });
+  for (const CutFace& face : faces) model.triangle_part.push_back(cuts.part(face));
   model.triangles = std::move(faces);
 }
 
@@ -212,10 +120,17 @@ Model modelOfLevel(const Asset& asset, uint32_t level) {
   return model;
 }
 
+Model modelOfAllVertices(const Asset& asset) {
+  Model model = modelWithoutSurface(asset);
+  const FloatVertices vertices(asset, asset.info().vertex_count);
+  for (uint32_t vertex = 0; vertex < vertices.count(); ++vertex) appendVertex(model, vertices, vertex);
+  return model;
+}
+
 Model modelOfTriangles(const Asset& asset, uint32_t triangles) {
   const Cuts cuts(asset);
   Model model = modelWithoutSurface(asset);
-  fillTriangles(model, facesNear(cuts, triangles), cuts);
+  fillTriangles(model, cuts.facesNear(triangles), cuts);
   fillVertices(model, asset, asset.info().vertex_count);
   return model;
 }

@@ -14,9 +14,12 @@ namespace lithe::tool {
 /// The level must be loaded. Clips are not in the file; the model has none.
 bake::Model modelOfLevel(const Asset& asset, uint32_t level);
 
-/// The cut whose number of triangles is closest to `triangles`: the hierarchy's splits are applied in the file's order
-/// until the count is met. Triangles of the same corners and orientation count and are written once.
-/// Everything must be loaded.
+/// The cut whose number of triangles is closest to `triangles`: the splits are applied one by one, level after level
+/// and in a level where they matter most first, until the count is met; see split_order.h. Triangles with the same
+/// nodes and orientation count and are written once. Everything must be loaded.
 bake::Model modelOfTriangles(const Asset& asset, uint32_t triangles);
+
+/// The skeleton and every vertex of every level under its own number, without triangles: for posing them all.
+bake::Model modelOfAllVertices(const Asset& asset);
 
 }  // namespace lithe::tool

@@ -111,7 +111,8 @@ void addPrecision(CLI::App& command, bake::BakeOptions& options) {
   bits("--position-bits", options.position_bits, 8, 16, "Grid of the positions, per axis");
   bits("--normal-bits", options.normal_bits, 4, 15, "Octahedral normals and tangents, per component");
   bits("--uv-bits", options.uv_bits, 4, 16, "Grid of the uvs, per part and component");
-  bits("--weight-bits", options.weight_bits, 4, 16, "The weights of a vertex sum to 2^bits - 1");
+  bits("--weight-bits", options.weight_bits, 4, 16,
+       "The weights of a vertex sum to 2^bits - 1 (default: as many as the blends need)");
   bits("--precision", options.precision, 0, 31, "How finely coarse vertices are placed: more is better and larger");
 }
 
