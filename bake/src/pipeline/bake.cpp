@@ -11,6 +11,7 @@
 #include "lithe/bake/hierarchy.h"
 #include "lithe/bake/simplify.h"
 #include "lithe/bake/weld.h"
+#include "weight_bits.h"
 
 namespace lithe::bake {
 namespace {
@@ -26,7 +27,7 @@ void checkOptions(const BakeOptions& options) {
   checkRange("--position-bits", options.position_bits, 8, 16);
   checkRange("--normal-bits", options.normal_bits, 4, 15);
   checkRange("--uv-bits", options.uv_bits, 4, 16);
-  checkRange("--weight-bits", options.weight_bits, 4, 16);
+  if (options.weight_bits != 0) checkRange("--weight-bits", options.weight_bits, 4, 16);
   checkRange("--precision", options.precision, 0, 31);
   for (double share : options.levels)
     if (!(share > 0.0 && share <= 1.0)) throw Error("--levels: every share must be above 0 and at most 1");
@@ -75,7 +76,9 @@ class Pipeline {
   WeldOptions weldOptions() {
     WeldOptions weld;
     weld.position_bits = options_.position_bits;
-    weld.weight_bits = options_.weight_bits;
+    weld.weight_bits =
+        options_.weight_bits ? options_.weight_bits : chooseWeightBits(model_, poses_, options_.position_bits);
+    report_.weight_bits = weld.weight_bits;
     weld.normal_bits = options_.normal_bits;
     weld.uv_bits = options_.uv_bits;
     weld.max_influences = options_.max_influences;

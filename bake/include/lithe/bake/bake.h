@@ -27,8 +27,8 @@ struct BakeOptions {
   uint32_t position_bits = 14;  ///< [8..16]
   uint32_t normal_bits = 10;    ///< [4..15] tangents too
   uint32_t uv_bits = 12;        ///< [4..16]
-  uint32_t weight_bits = 8;     ///< [4..16]
-  uint32_t precision = 5;       ///< placement_shift of format/placement.h [0..31]: more is finer and larger
+  uint32_t weight_bits = 0;     ///< [4..16], or 0: as many of 8 to 12 as the character's blends need
+  uint32_t precision = 4;       ///< placement_shift of format/placement.h [0..31]: more is finer and larger
   /// Triangles of the levels as shares of the finest, in any order; 1 is always there. Levels that would differ by
   /// fewer than kMinLevelCollapses collapses are left out. The smallest share is where the simplification ends.
   std::vector<double> levels = {0.7, 0.5, 0.3, 0.2, 0.14, 0.1, 0.07, 0.05, 0.03, 0.02, 0.014, 0.01, 0.007};
@@ -51,6 +51,7 @@ struct BakedLevel {
 struct BakeReport {
   std::vector<std::string> warnings;
   uint32_t poses = 0;
+  uint32_t weight_bits = 0;  ///< as used
   uint32_t source_triangles = 0, source_vertices = 0;
   double rest_diagonal = 0.0, posed_diagonal = 0.0;
   std::vector<BakedLevel> levels;         ///< coarse to fine

@@ -26,7 +26,7 @@ struct EncodeInput {
   const Mesh& mesh;
   const Hierarchy& hierarchy;
   std::vector<LevelPlan> levels;  ///< coarse to fine: `collapses` falls strictly, the last is 0
-  uint32_t placement_shift = 5;
+  uint32_t placement_shift = 4;
   double posed_diagonal = 0.0;
   uint32_t page_splits = 8192;         ///< splits per page, about: large levels have several pages
   uint32_t shared_page_splits = 2048;  ///< small levels share a page until it has this many splits

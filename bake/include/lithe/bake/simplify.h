@@ -19,7 +19,7 @@ struct SimplifyOptions {
   /// dsd               a quadric per pose, end points only (Mohr and Gleicher 2003)
   /// pose-independent  one quadric per vertex, pulled back from the poses (DeCoro and Rusinkiewicz 2005)
   std::string metric = "articulated";
-  uint32_t placement_shift = 5;  ///< of format::latticeStep: how finely parents are placed; 31 = every grid point
+  uint32_t placement_shift = 4;  ///< of format::latticeStep: how finely parents are placed; 31 = every grid point
   uint32_t threads = 0;          ///< 0 = as many as the machine has; the result does not depend on it
   uint32_t min_triangles = 0;    ///< stop here; it is always reached
 
