@@ -94,6 +94,7 @@ double Collapser::tieBreak(uint32_t a, uint32_t b) const {
 void Collapser::judgeAgain(uint32_t edge) {
   for (uint32_t slot : edges_.ends[edge]) metric_->refresh(slot, fan_);
   placeEdge(edge, placer_);
+  judged_ = edge;
 }
 
 bool Collapser::collapseNext(Collapse& collapse) {
@@ -110,7 +111,7 @@ bool Collapser::collapseNext(Collapse& collapse) {
       queue_.set(edge, loss);
       continue;
     }
-    judgeAgain(edge);  // for the posed position, which is not kept per edge
+    if (judged_ != edge) judgeAgain(edge);  // for the posed position, which is not kept per edge
     if (!mayCollapse(edge)) {
       block(edge);
       continue;
@@ -122,6 +123,7 @@ bool Collapser::collapseNext(Collapse& collapse) {
     placement.cost = std::max(placement.cost, loss);
     record(edge, placement, skin, collapse);
     moveNode(a, b, placement, skin);
+    judged_ = kNone;
     collapse.triangles = surface_.triangleCount();
     lowerVanishCosts();
     return true;

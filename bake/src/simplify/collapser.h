@@ -68,6 +68,7 @@ class Collapser {
   std::vector<uint32_t> stamp_;       // per edge: the versions it was judged at
   std::vector<uint8_t> blocked_;      // per edge
   uint32_t next_node_;
+  uint32_t judged_ = kNone;  // the edge that placer_ holds the answer for
   uint32_t first_triangles_;
   bool coarse_ = false;   // below options.vanish_coarse
   bool relaxed_ = false;  // nothing was left to do without turning a triangle over

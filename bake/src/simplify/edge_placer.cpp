@@ -30,11 +30,18 @@ glm::dvec3 solveStep(const NormalEquations& n) {
          determinant;
 }
 
+struct JointUnion {
+  uint32_t size = 0;
+  std::array<uint16_t, kMaxSimplexSize> joint{};
+};
+
 /// The joints of both skins, a's first.
-std::vector<uint16_t> unionOf(const QuantizedSkin& a, const QuantizedSkin& b) {
-  std::vector<uint16_t> joints(a.joint.begin(), a.joint.begin() + a.count);
+JointUnion unionOf(const QuantizedSkin& a, const QuantizedSkin& b) {
+  JointUnion joints{a.count, {}};
+  std::copy_n(a.joint.begin(), a.count, joints.joint.begin());
   for (uint32_t k = 0; k < b.count; ++k) {
-    if (std::find(joints.begin(), joints.end(), b.joint[k]) == joints.end()) joints.push_back(b.joint[k]);
+    const auto end = joints.joint.begin() + joints.size;
+    if (std::find(joints.joint.begin(), end, b.joint[k]) == end) joints.joint[joints.size++] = b.joint[k];
   }
   return joints;
 }
@@ -116,14 +123,14 @@ bool EdgePlacer::step(uint32_t a, uint32_t b, const Segment& segment, bool one_s
 QuantizedSkin EdgePlacer::weightStep(uint32_t a, const QuantizedSkin& start, const QuantizedSkin& skin_a,
                                      const QuantizedSkin& skin_b, const glm::ivec3& position) {
   const uint32_t blocks = nodes_.posed.blocks;
-  const std::vector<uint16_t> joints = unionOf(skin_a, skin_b);
-  const auto size = static_cast<uint32_t>(joints.size());
+  const JointUnion joints = unionOf(skin_a, skin_b);
+  const uint32_t size = joints.size;
   SimplexWeights weights{};
   for (uint32_t i = 0; i < size; ++i) {
-    const Affine* matrices = nodes_.posed.palette.data() + size_t{joints[i]} * blocks;
+    const Affine* matrices = nodes_.posed.palette.data() + size_t{joints.joint[i]} * blocks;
     transformPoint(matrices, blocks, glm::vec3(position), candidates_.data() + size_t{i} * blocks);
     for (uint32_t k = 0; k < start.count; ++k) {
-      if (start.joint[k] == joints[i]) weights[i] = start.weight[k] / double(nodes_.weight_one);
+      if (start.joint[k] == joints.joint[i]) weights[i] = start.weight[k] / double(nodes_.weight_one);
     }
   }
   std::array<double, 256> matrix;
@@ -134,36 +141,37 @@ QuantizedSkin EdgePlacer::weightStep(uint32_t a, const QuantizedSkin& start, con
     for (uint32_t k = 0; k < size; ++k) objective.H[i][k] = matrix[i * size + k];
   }
   weights = minimizeOnSimplexCapped(objective, weights, naturalProximity(objective), nodes_.max_influences);
-  return quantizeSkin(joints, {weights.data(), size}, nodes_.weight_one);
+  return quantizeSkin({joints.joint.data(), size}, {weights.data(), size}, nodes_.weight_one);
 }
 
 void EdgePlacer::optimizeSkin(uint32_t a, uint32_t b, double gain, Placement& placement, QuantizedSkin& skin) {
   const Segment segment(nodes_.positions[a], nodes_.positions[b], nodes_.placement_shift, nodes_.grid_bits);
   Placement best = placement;
   QuantizedSkin best_skin = skin;
-  std::vector<PosedPoint> best_posed = posed, at = posed;
+  best_posed_ = posed;
+  at_ = posed;
   for (uint32_t i = 0; i < kMaxAlternations; ++i) {
     const QuantizedSkin next_skin = weightStep(a, best_skin, nodes_.skins[a], nodes_.skins[b], best.position);
     const Affine* blend = blendSkin(nodes_.posed, next_skin, blend_.data());
     Placement next = best;
-    next.cost = energyIn(glm::dvec3(best.position), blend, a, at);
-    const glm::dvec3 x = minimizer(glm::dvec3(best.position), blend, a, at);
+    next.cost = energyIn(glm::dvec3(best.position), blend, a, at_);
+    const glm::dvec3 x = minimizer(glm::dvec3(best.position), blend, a, at_);
     const int32_t t8 = segment.nearestEighth(x);
     const glm::ivec3 position = segment.snap(x, t8);
     const double moved_cost = energyIn(glm::dvec3(position), blend, a, trial_);
     if (moved_cost < next.cost) {
       next = {position, t8, moved_cost};
-      at.swap(trial_);
+      at_.swap(trial_);
     }
     if (!(next.cost < best.cost * (1.0 - 0.1 * gain))) break;
     best = next;
     best_skin = next_skin;
-    best_posed = at;
+    best_posed_ = at_;
   }
   if (best.cost < placement.cost * (1.0 - gain)) {
     placement = best;
     skin = best_skin;
-    posed = best_posed;
+    posed.swap(best_posed_);
   }
 }
 

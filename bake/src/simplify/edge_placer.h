@@ -28,6 +28,7 @@ class EdgePlacer {
  public:
   std::vector<Quadric> quadric;   // of the edge, about a's posed position; the caller fills it
   std::vector<PosedPoint> posed;  // of the last placement returned
+  std::vector<FanFace> fan;       // scratch for the caller
 
   /// The cheaper end point, with its own skin.
   Placement placeAtEnd(uint32_t a, uint32_t b);
@@ -57,7 +58,7 @@ class EdgePlacer {
                            const QuantizedSkin& skin_b, const glm::ivec3& position);
 
   std::vector<Affine> blend_;
-  std::vector<PosedPoint> trial_, candidates_;
+  std::vector<PosedPoint> trial_, candidates_, best_posed_, at_;
 };
 
 }  // namespace lithe::bake

@@ -40,6 +40,19 @@ LITHE_KERNEL void combine(const Quadric* qa, const Quadric* qb, const PosedPoint
   }
 }
 
+LITHE_KERNEL void subtractFaces(std::span<const FanFace> fan, uint32_t blocks, Quadric* q) {
+  for (uint32_t block = 0; block < blocks; ++block) {
+    Symmetric sum{};
+    for (const FanFace& f : fan) addFanFace(sum, f.corner[block], f.next[block], f.last[block], 0.0f, 0.0f);
+    q[block].xx += -sum.xx;
+    q[block].xy += -sum.xy;
+    q[block].xz += -sum.xz;
+    q[block].yy += -sum.yy;
+    q[block].yz += -sum.yz;
+    q[block].zz += -sum.zz;
+  }
+}
+
 LITHE_KERNEL void accumulate(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b,
                              const PosedPoint* parent, uint32_t blocks, Quadric* result) {
   for (uint32_t block = 0; block < blocks; ++block) {

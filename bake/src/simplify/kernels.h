@@ -41,6 +41,10 @@ void combine(const Symmetric* qa, const Symmetric* qb, const PosedPoint* a, cons
 void combine(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b, uint32_t blocks,
              Quadric* sum);
 
+/// Takes one third of the faces' areas away again from a quadric about their fan's corner: the faces between two
+/// vertices are in both vertices' quadrics.
+void subtractFaces(std::span<const FanFace> fan, uint32_t blocks, Quadric* q);
+
 /// qa and qb, about a and b, become one quadric about `parent`; the result may be qa.
 void accumulate(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b,
                 const PosedPoint* parent, uint32_t blocks, Quadric* result);

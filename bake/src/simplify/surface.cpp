@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace lithe::bake {
 
 namespace {
 
 constexpr float kFoldCosine = -0.7f;
+constexpr uint8_t kUnknown = 128;
 
 /// Same three slots in the same cyclic order.
 bool equalFaces(const Face& f, const Face& g) {
@@ -151,11 +151,12 @@ void Surface::mergeEqualFaces(uint32_t slot) {
 }
 
 void Surface::classifyAround(uint32_t slot, const PosedMesh& posed) {
+  for (uint32_t id : facesAt(slot)) faces_[id].kind = {kUnknown, kUnknown, kUnknown};
   for (uint32_t id : facesAt(slot)) {
-    const uint32_t k = faces_[id].cornerOf(slot);
-    const uint32_t next = faces_[id].corner[(k + 1) % 3], last = faces_[id].corner[(k + 2) % 3];
-    const std::pair<uint32_t, uint32_t> edges[] = {{slot, next}, {slot, last}, {next, last}};
-    for (const auto& [from, to] : edges) {
+    const Face& face = faces_[id];
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (face.kind[k] != kUnknown) continue;  // set from the triangle across the edge
+      const uint32_t from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
       const uint8_t kind = kindOf(from, to, posed, at_edge_);
       setKind(from, to, kind, at_edge_);
     }

@@ -60,7 +60,7 @@ class Surface {
   /// triangles that die: each may lose its edge to a.
   void collapse(uint32_t a, uint32_t b, std::vector<uint32_t>& thirds);
 
-  /// Sets the kinds of the edges at a slot and opposite to it, after it moved.
+  /// Sets the kinds of the edges at a slot and opposite to it, after it moved; edges on to others have not changed.
   void classifyAround(uint32_t slot, const PosedMesh& posed);
 
  private:
