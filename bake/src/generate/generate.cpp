@@ -17,6 +17,7 @@ struct Generator {
 constexpr std::array kGenerators = {
     Generator{"column", generateColumn},
     Generator{"centipede", generateCentipede},
+    Generator{"figure", generateFigure},
 };
 
 }  // namespace

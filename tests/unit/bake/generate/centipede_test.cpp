@@ -15,10 +15,7 @@ constexpr uint32_t kSegments = 20, kLegs = 40, kBristlesPerLeg = 12;
 
 class CentipedeTest : public testing::Test {
  protected:
-  static const Model& centipede() {
-    static const Model model = generate("centipede");
-    return model;
-  }
+  static const Model& centipede() { return checks::character("centipede"); }
 };
 
 TEST_F(CentipedeTest, KeepsThePromisesOfEveryCharacter) { EXPECT_EQ(checks::brokenPromise(centipede(), 4), ""); }

@@ -13,10 +13,7 @@ namespace {
 
 class ColumnTest : public testing::Test {
  protected:
-  static const Model& column() {
-    static const Model model = generate("column");
-    return model;
-  }
+  static const Model& column() { return checks::character("column"); }
 };
 
 TEST_F(ColumnTest, KeepsThePromisesOfEveryCharacter) { EXPECT_EQ(checks::brokenPromise(column(), 2), ""); }

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "lithe/bake/generate.h"
 #include "lithe/bake/model.h"
 #include "lithe/bake/poses.h"
 
@@ -154,6 +155,13 @@ inline const Clip* findClip(const Model& model, const std::string& name) {
   const auto found =
       std::find_if(model.clips.begin(), model.clips.end(), [&](const Clip& c) { return c.name == name; });
   return found == model.clips.end() ? nullptr : &*found;
+}
+
+/// The built-in character of that name, made once for all tests of the program.
+inline const Model& character(const std::string& name) {
+  static std::map<std::string, Model> made;
+  const auto found = made.find(name);
+  return found != made.end() ? found->second : made.emplace(name, generate(name)).first->second;
 }
 
 struct Box {
