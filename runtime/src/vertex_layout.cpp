@@ -14,7 +14,7 @@ struct Shape {
   uint32_t components, bytes;
 };
 
-Shape directionShape(lithe_format format, uint32_t floats) {
+Shape directionShape(uint32_t format, uint32_t floats) {
   switch (format) {
     case LITHE_FORMAT_F32:
       return {floats, 4};
@@ -27,27 +27,27 @@ Shape directionShape(lithe_format format, uint32_t floats) {
   }
 }
 
-Shape positionShape(lithe_format format) {
+Shape positionShape(uint32_t format) {
   return format == LITHE_FORMAT_F32 ? Shape{3, 4} : format == LITHE_FORMAT_SNORM16 ? Shape{4, 2} : Shape{0, 0};
 }
 
-Shape uvShape(lithe_format format) {
+Shape uvShape(uint32_t format) {
   const bool is_short = format == LITHE_FORMAT_F16 || format == LITHE_FORMAT_UNORM16;
   return format == LITHE_FORMAT_F32 ? Shape{2, 4} : is_short ? Shape{2, 2} : Shape{0, 0};
 }
 
-Shape colorShape(lithe_format format) {
+Shape colorShape(uint32_t format) {
   return format == LITHE_FORMAT_F32 ? Shape{4, 4} : format == LITHE_FORMAT_UNORM8 ? Shape{4, 1} : Shape{0, 0};
 }
 
-Shape jointShape(lithe_format format, uint32_t influences, uint32_t joint_count) {
+Shape jointShape(uint32_t format, uint32_t influences, uint32_t joint_count) {
   const bool fits_u8 = joint_count <= 256;
   return format == LITHE_FORMAT_U16             ? Shape{influences, 2}
          : format == LITHE_FORMAT_U8 && fits_u8 ? Shape{influences, 1}
                                                 : Shape{0, 0};
 }
 
-Shape weightShape(lithe_format format, uint32_t influences) {
+Shape weightShape(uint32_t format, uint32_t influences) {
   return format == LITHE_FORMAT_F32       ? Shape{influences, 4}
          : format == LITHE_FORMAT_UNORM16 ? Shape{influences, 2}
          : format == LITHE_FORMAT_UNORM8  ? Shape{influences, 1}
@@ -65,8 +65,7 @@ struct UseList {
       valid = false;
       return;
     }
-    insert({attribute, static_cast<uint8_t>(set), static_cast<lithe_format>(request.format), request.offset,
-            shape.components * shape.bytes});
+    insert({attribute, static_cast<uint8_t>(set), request.format, request.offset, shape.components * shape.bytes});
   }
 
   void insert(const AttributeUse& use) {
@@ -91,8 +90,6 @@ bool joinSpans(LayoutPlan* plan) {
   return true;
 }
 
-lithe_format formatOf(const lithe_attribute& attribute) { return static_cast<lithe_format>(attribute.format); }
-
 }  // namespace
 
 bool planLayout(const lithe_asset& asset, const lithe_vertex_layout& layout, LayoutPlan* plan) {
@@ -105,18 +102,16 @@ bool planLayout(const lithe_asset& asset, const lithe_vertex_layout& layout, Lay
   if (skinned && (layout.influences < info.max_influences || layout.influences > LITHE_MAX_INFLUENCES)) return false;
 
   UseList list = {plan};
-  list.add(VertexAttribute::kPosition, 0, layout.position, true, positionShape(formatOf(layout.position)));
-  list.add(VertexAttribute::kNormal, 0, layout.normal, info.has_normals, directionShape(formatOf(layout.normal), 3));
-  list.add(VertexAttribute::kTangent, 0, layout.tangent, info.has_tangents,
-           directionShape(formatOf(layout.tangent), 4));
+  list.add(VertexAttribute::kPosition, 0, layout.position, true, positionShape(layout.position.format));
+  list.add(VertexAttribute::kNormal, 0, layout.normal, info.has_normals, directionShape(layout.normal.format, 3));
+  list.add(VertexAttribute::kTangent, 0, layout.tangent, info.has_tangents, directionShape(layout.tangent.format, 4));
   for (uint32_t s = 0; s < LITHE_MAX_UV_SETS; ++s)
-    list.add(VertexAttribute::kUv, s, layout.uv[s], s < info.uv_sets, uvShape(formatOf(layout.uv[s])));
+    list.add(VertexAttribute::kUv, s, layout.uv[s], s < info.uv_sets, uvShape(layout.uv[s].format));
   for (uint32_t s = 0; s < LITHE_MAX_COLOR_SETS; ++s)
-    list.add(VertexAttribute::kColor, s, layout.color[s], s < info.color_sets, colorShape(formatOf(layout.color[s])));
+    list.add(VertexAttribute::kColor, s, layout.color[s], s < info.color_sets, colorShape(layout.color[s].format));
   list.add(VertexAttribute::kJoints, 0, layout.joints, true,
-           jointShape(formatOf(layout.joints), layout.influences, asset.head.joints.count));
-  list.add(VertexAttribute::kWeights, 0, layout.weights, true,
-           weightShape(formatOf(layout.weights), layout.influences));
+           jointShape(layout.joints.format, layout.influences, asset.head.joints.count));
+  list.add(VertexAttribute::kWeights, 0, layout.weights, true, weightShape(layout.weights.format, layout.influences));
   return list.valid && joinSpans(plan);
 }
 

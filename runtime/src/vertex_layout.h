@@ -13,7 +13,7 @@ enum class VertexAttribute : uint8_t { kPosition, kNormal, kTangent, kUv, kColor
 struct AttributeUse {
   VertexAttribute attribute;
   uint8_t set;
-  lithe_format format;
+  uint16_t format;         ///< a lithe_format that the attribute can have
   uint32_t offset, bytes;  ///< within the vertex
 };
 

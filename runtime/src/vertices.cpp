@@ -222,11 +222,11 @@ void writeWeightsF32(const Block& block) {
 
 // ---- Putting vertices together -------------------------------------------------------------------------------------
 
-Writer directionWriter(lithe_format format, Writer f32, Writer snorm16, Writer snorm8) {
+Writer directionWriter(uint32_t format, Writer f32, Writer snorm16, Writer snorm8) {
   return format == LITHE_FORMAT_F32 ? f32 : format == LITHE_FORMAT_SNORM16 ? snorm16 : snorm8;
 }
 
-Writer weightWriter(const lithe_asset& asset, lithe_format format) {
+Writer weightWriter(const lithe_asset& asset, uint32_t format) {
   if (format == LITHE_FORMAT_F32) return writeWeightsF32;
   if (format == LITHE_FORMAT_UNORM16) return writeWeights<uint16_t>;
   return asset.head.info.weight_bits == 8 ? writeWeightsUnorm8AsStored : writeWeights<uint8_t>;
@@ -234,7 +234,7 @@ Writer weightWriter(const lithe_asset& asset, lithe_format format) {
 
 /// The plan allows only the formats that an attribute has.
 Writer writerOf(const lithe_asset& asset, const AttributeUse& use) {
-  const lithe_format format = use.format;
+  const uint32_t format = use.format;
   switch (use.attribute) {
     case VertexAttribute::kPosition:
       return format == LITHE_FORMAT_F32 ? writePositionF32 : writePositionSnorm16;
