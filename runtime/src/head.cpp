@@ -101,10 +101,16 @@ Refusal takeChunk(const Expected& expected, uint32_t chunk_count, Head* head) {
   return corrupt(kCheckChunkRecords, header::kBytes);
 }
 
+bool startsWithMagic(const uint8_t* bytes) {
+  bool same = true;
+  for (uint32_t i = 0; i < sizeof kMagic; ++i) same = same & (bytes[i] == kMagic[i]);
+  return same;
+}
+
 }  // namespace
 
 Refusal checkHeader(const uint8_t* bytes) {
-  if (memcmp(bytes, kMagic, sizeof kMagic) != 0) return {LITHE_ERROR_NOT_THIS_FORMAT, kCheckMagic, header::kMagicAt};
+  if (!startsWithMagic(bytes)) return {LITHE_ERROR_NOT_THIS_FORMAT, kCheckMagic, header::kMagicAt};
   const uint16_t major = loadU16(bytes + header::kVersionMajorAt);
   if (major != kVersionMajor)
     return {major > kVersionMajor ? LITHE_ERROR_VERSION_TOO_NEW : LITHE_ERROR_NOT_THIS_FORMAT, kCheckVersion,

@@ -55,7 +55,8 @@ Character encodeCharacter(const CharacterShape& shape, uint64_t seed, uint32_t p
   for (double error = 1.0; collapses > 0; collapses = collapses / 2, error /= 2)
     c.levels.push_back({collapses, error, error / 2});
   c.levels.push_back({0, 0.0, 0.0});
-  c.bytes = bake::encodeFile({c.model, c.mesh, c.hierarchy, c.levels, placement_shift, 1.0, page_splits, page_splits / 4}, &c.report);
+  c.bytes = bake::encodeFile(
+      {c.model, c.mesh, c.hierarchy, c.levels, placement_shift, 1.0, page_splits, page_splits / 4}, &c.report);
   return c;
 }
 

@@ -59,7 +59,9 @@ std::vector<uint8_t> writePage(const PageData& page, PageBytes* bytes) {
   payload.insert(payload.end(), page.low_bits.begin(), page.low_bits.end());
   bytes->low_bits = static_cast<uint32_t>(page.low_bits.size());
 
-  std::vector<uint8_t> out(1, page.kind);
+  std::vector<uint8_t> out;
+  out.reserve(1 + page.parameters.size() + table.size() + payload.size());
+  out.push_back(page.kind);
   out.insert(out.end(), page.parameters.begin(), page.parameters.end());
   out.insert(out.end(), table.begin(), table.end());
   out.insert(out.end(), payload.begin(), payload.end());

@@ -16,9 +16,10 @@
  * Threads: an asset may be read (every function taking `const lithe_asset*`) by any number of threads at once.
  * lithe_asset_supply, lithe_asset_evict and lithe_asset_close need it alone. Different assets are independent.
  *
- * Errors: bytes are hostile, callers are friends. A damaged file gives LITHE_ERROR_* and leaves the object as it was; it
- * never makes the runtime read or write out of bounds, loop, or allocate beyond what the checked header states. A wrong
- * argument gives LITHE_ERROR_INVALID_ARGUMENT (in builds with LITHE_ASSERT defined it calls LITHE_ASSERT(0) first).
+ * Errors: bytes are hostile, callers are friends. A damaged file gives LITHE_ERROR_* and leaves the object as it was;
+ * it never makes the runtime read or write out of bounds, loop, or allocate beyond what the checked header states. A
+ * wrong argument gives LITHE_ERROR_INVALID_ARGUMENT (in builds with LITHE_ASSERT defined it calls LITHE_ASSERT(0)
+ * first).
  */
 #ifndef LITHE_RUNTIME_H
 #define LITHE_RUNTIME_H
@@ -46,20 +47,20 @@ extern "C" {
 /* Values are pinned. 0: done. 1..15: the normal flow of things. From 16: errors; the object is unchanged. */
 typedef enum lithe_result {
   LITHE_OK = 0,
-  LITHE_PENDING = 1,    /* more bytes are needed first */
-  LITHE_COMPLETE = 2,   /* nothing is left to request */
+  LITHE_PENDING = 1,  /* more bytes are needed first */
+  LITHE_COMPLETE = 2, /* nothing is left to request */
 
-  LITHE_ERROR_TRUNCATED = 16,        /* fewer bytes than the file's own tables state */
-  LITHE_ERROR_NOT_THIS_FORMAT = 17,  /* the magic is missing: not a .lithe file */
-  LITHE_ERROR_VERSION_TOO_NEW = 18,  /* written by a newer major version */
-  LITHE_ERROR_CORRUPT = 19,          /* a checksum or a check of docs/format.md failed */
-  LITHE_ERROR_LIMIT = 20,            /* states counts beyond the format's limits */
+  LITHE_ERROR_TRUNCATED = 16,       /* fewer bytes than the file's own tables state */
+  LITHE_ERROR_NOT_THIS_FORMAT = 17, /* the magic is missing: not a .lithe file */
+  LITHE_ERROR_VERSION_TOO_NEW = 18, /* written by a newer major version */
+  LITHE_ERROR_CORRUPT = 19,         /* a checksum or a check of docs/format.md failed */
+  LITHE_ERROR_LIMIT = 20,           /* states counts beyond the format's limits */
 
   LITHE_ERROR_INVALID_ARGUMENT = 32, /* a caller's mistake */
   LITHE_ERROR_BUFFER_TOO_SMALL = 33, /* the destination cannot hold the result */
   LITHE_ERROR_NOT_RESIDENT = 34,     /* the level's pages have not been supplied */
 
-  LITHE_ERROR_OUT_OF_MEMORY = 48     /* the host's allocator returned NULL */
+  LITHE_ERROR_OUT_OF_MEMORY = 48 /* the host's allocator returned NULL */
 } lithe_result;
 
 /* The name of a result, such as "LITHE_ERROR_CORRUPT"; "unknown" for other values. Never NULL, static. */
@@ -82,8 +83,8 @@ typedef struct lithe_asset lithe_asset;
 
 /* Why bytes were refused: the number of the reader check in docs/format.md and the byte offset it concerns. */
 typedef struct lithe_diagnosis {
-  uint32_t check;   /* 0 when nothing was refused */
-  uint64_t offset;  /* from the start of the file */
+  uint32_t check;  /* 0 when nothing was refused */
+  uint64_t offset; /* from the start of the file */
 } lithe_diagnosis;
 
 /* How many bytes from the start of the file lithe_asset_open needs.
@@ -97,8 +98,8 @@ LITHE_NODISCARD LITHE_API lithe_result lithe_peek(const void* bytes, size_t size
  * bytes, size   the first bytes of the file, at least the count lithe_peek states
  * diagnosis     may be NULL; says what was refused
  * asset         receives the object; close it with lithe_asset_close */
-LITHE_NODISCARD LITHE_API lithe_result lithe_asset_open(const lithe_allocator* allocator, const void* bytes, size_t size,
-                                                        lithe_diagnosis* diagnosis, lithe_asset** asset);
+LITHE_NODISCARD LITHE_API lithe_result lithe_asset_open(const lithe_allocator* allocator, const void* bytes,
+                                                        size_t size, lithe_diagnosis* diagnosis, lithe_asset** asset);
 
 /* Frees everything. NULL is allowed. */
 LITHE_API void lithe_asset_close(lithe_asset* asset);
@@ -113,64 +114,64 @@ LITHE_API void lithe_asset_close(lithe_asset* asset);
 
 typedef struct lithe_asset_info {
   uint64_t file_bytes;
-  uint32_t node_count;      /* of the scene graph: joints, their ancestors, and nodes with rigid parts */
-  uint32_t joint_count;     /* matrices of a palette */
-  uint32_t part_count;      /* one draw range per part and level */
+  uint32_t node_count;  /* of the scene graph: joints, their ancestors, and nodes with rigid parts */
+  uint32_t joint_count; /* matrices of a palette */
+  uint32_t part_count;  /* one draw range per part and level */
   uint32_t material_count;
   uint32_t level_count;
   uint32_t page_count;
-  uint32_t vertex_count;    /* GPU vertices of all levels together */
-  uint32_t triangle_count;  /* of the finest level */
-  uint32_t max_influences;  /* at every level [1..8] */
+  uint32_t vertex_count;   /* GPU vertices of all levels together */
+  uint32_t triangle_count; /* of the finest level */
+  uint32_t max_influences; /* at every level [1..8] */
   uint32_t has_normals, has_tangents, uv_sets, color_sets;
   float position_offset[3]; /* bind space = position_offset + position_scale * snorm16 value / 32767 */
   float position_scale;
   float box_min[3], box_max[3]; /* of all vertices in bind space */
-  float rest_diagonal;      /* of the source's own vertices: the unit of the relative errors that the bake prints */
-  float posed_diagonal;     /* mean over the example poses */
+  float rest_diagonal;          /* of the source's own vertices: the unit of the relative errors that the bake prints */
+  float posed_diagonal;         /* mean over the example poses */
 } lithe_asset_info;
 
 LITHE_API void lithe_asset_describe(const lithe_asset* asset, lithe_asset_info* info);
 
 /* A node of the scene graph, parents before children. local = T * R * S. */
 typedef struct lithe_node {
-  const char* name;       /* UTF-8, zero-terminated, lives as long as the asset; may be empty */
-  uint32_t parent;        /* LITHE_NO_INDEX for a root */
+  const char* name; /* UTF-8, zero-terminated, lives as long as the asset; may be empty */
+  uint32_t parent;  /* LITHE_NO_INDEX for a root */
   float translation[3];
-  float rotation[4];      /* quaternion x, y, z, w */
+  float rotation[4]; /* quaternion x, y, z, w */
   float scale[3];
 } lithe_node;
 
 /* One matrix of the palette: posed = world(node) * inverse_bind. */
 typedef struct lithe_joint {
   uint32_t node;
-  float inverse_bind[12]; /* 3 rows of 4: x' = m[0] x + m[1] y + m[2] z + m[3], ... */
+  float inverse_bind[12];       /* 3 rows of 4: x' = m[0] x + m[1] y + m[2] z + m[3], ... */
   float box_min[3], box_max[3]; /* bind-space box of every vertex of every level that it influences; min > max: none */
 } lithe_joint;
 
 typedef struct lithe_part {
   const char* name;
-  const char* material;     /* the material's name in the source */
-  uint32_t material_index;  /* in the source file; LITHE_NO_INDEX for none */
-  uint32_t rigid_node;      /* the node a rigid part hangs on, LITHE_NO_INDEX for a skinned part */
+  const char* material;    /* the material's name in the source */
+  uint32_t material_index; /* in the source file; LITHE_NO_INDEX for none */
+  uint32_t rigid_node;     /* the node a rigid part hangs on, LITHE_NO_INDEX for a skinned part */
 } lithe_part;
 
 typedef struct lithe_level {
-  float error;              /* largest posed distance to the original that the bake measured, bind-space units; grows
-                               from the finest level to the coarsest */
-  float error_rms;          /* the same distance, root mean square */
+  float error;     /* largest posed distance to the original that the bake measured, bind-space units; grows
+                      from the finest level to the coarsest */
+  float error_rms; /* the same distance, root mean square */
   uint32_t triangle_count;
-  uint32_t index_count;     /* 3 * triangle_count */
-  uint32_t vertex_count;    /* GPU vertices 0 .. vertex_count - 1 must be there to draw this level */
-  uint32_t page_end;        /* needs the pages 0 .. page_end - 1 */
-  uint64_t bytes_end;       /* the file's bytes up to here draw this level */
-  uint32_t joint_count;     /* joints used at this level */
+  uint32_t index_count;  /* 3 * triangle_count */
+  uint32_t vertex_count; /* GPU vertices 0 .. vertex_count - 1 must be there to draw this level */
+  uint32_t page_end;     /* needs the pages 0 .. page_end - 1 */
+  uint64_t bytes_end;    /* the file's bytes up to here draw this level */
+  uint32_t joint_count;  /* joints used at this level */
 } lithe_level;
 
 typedef struct lithe_page {
-  uint64_t offset;          /* from the start of the file */
-  uint32_t size;            /* bytes */
-  uint32_t level;           /* the level it belongs to */
+  uint64_t offset; /* from the start of the file */
+  uint32_t size;   /* bytes */
+  uint32_t level;  /* the level it belongs to */
 } lithe_page;
 
 /* Each: LITHE_OK or LITHE_ERROR_INVALID_ARGUMENT when index is out of range. */
@@ -184,8 +185,8 @@ LITHE_NODISCARD LITHE_API lithe_result lithe_asset_page(const lithe_asset* asset
 
 typedef struct lithe_request {
   uint32_t page;
-  uint32_t size;    /* bytes */
-  uint64_t offset;  /* from the start of the file */
+  uint32_t size;   /* bytes */
+  uint64_t offset; /* from the start of the file */
 } lithe_request;
 
 /* The next page to read on the way to a level. Pages are needed in their order, so a host that reads ahead just reads
@@ -208,34 +209,34 @@ LITHE_NODISCARD LITHE_API lithe_result lithe_asset_supply(lithe_asset* asset, ui
 /* The finest level that can be drawn now, LITHE_NO_LEVEL before the first page. */
 LITHE_API uint32_t lithe_asset_resident_level(const lithe_asset* asset);
 
-/* Drops everything finer than `level` and frees its memory where the allocator lets it. Coarser levels keep working, and
- * their vertices keep their numbers. The dropped pages can be supplied again. Allocates; when the allocator fails the
- * asset keeps its memory but drops the levels all the same. */
+/* Drops everything finer than `level` and frees its memory where the allocator lets it. Coarser levels keep working,
+ * and their vertices keep their numbers. The dropped pages can be supplied again. Allocates; when the allocator fails
+ * the asset keeps its memory but drops the levels all the same. */
 LITHE_NODISCARD LITHE_API lithe_result lithe_asset_evict(lithe_asset* asset, uint32_t level);
 
 /* ---- Buffers: written in the host's layout, straight into the host's memory -------------------------------------- */
 
 typedef enum lithe_format {
   LITHE_FORMAT_NONE = 0,
-  LITHE_FORMAT_F32 = 1,      /* position xyz, normal xyz, tangent xyzw, uv xy, colour rgba, weights x max_influences */
-  LITHE_FORMAT_SNORM16 = 2,  /* position: 4 x int16 (w = 32767); normal and tangent: 2 x int16 octahedral */
-  LITHE_FORMAT_SNORM8 = 3,   /* normal and tangent: 4 x int8 xyzw */
-  LITHE_FORMAT_F16 = 4,      /* uv: 2 x IEEE half */
-  LITHE_FORMAT_UNORM16 = 5,  /* uv: 2 x uint16, only where the uvs are within 0..1; weights: uint16 that sum to 65535 */
-  LITHE_FORMAT_UNORM8 = 6,   /* colour: 4 x uint8; weights: uint8 that sum to 255 */
-  LITHE_FORMAT_U8 = 7,       /* joints, where joint_count <= 256 */
-  LITHE_FORMAT_U16 = 8       /* joints */
+  LITHE_FORMAT_F32 = 1,     /* position xyz, normal xyz, tangent xyzw, uv xy, colour rgba, weights x max_influences */
+  LITHE_FORMAT_SNORM16 = 2, /* position: 4 x int16 (w = 32767); normal and tangent: 2 x int16 octahedral */
+  LITHE_FORMAT_SNORM8 = 3,  /* normal and tangent: 4 x int8 xyzw */
+  LITHE_FORMAT_F16 = 4,     /* uv: 2 x IEEE half */
+  LITHE_FORMAT_UNORM16 = 5, /* uv: 2 x uint16, only where the uvs are within 0..1; weights: uint16 that sum to 65535 */
+  LITHE_FORMAT_UNORM8 = 6,  /* colour: 4 x uint8; weights: uint8 that sum to 255 */
+  LITHE_FORMAT_U8 = 7,      /* joints, where joint_count <= 256 */
+  LITHE_FORMAT_U16 = 8      /* joints */
 } lithe_format;
 
 typedef struct lithe_attribute {
-  uint16_t format;  /* a lithe_format; LITHE_FORMAT_NONE leaves the attribute out */
-  uint16_t offset;  /* bytes from the start of the vertex [multiple of the component's size] */
+  uint16_t format; /* a lithe_format; LITHE_FORMAT_NONE leaves the attribute out */
+  uint16_t offset; /* bytes from the start of the vertex [multiple of the component's size] */
 } lithe_attribute;
 
 typedef struct lithe_vertex_layout {
-  uint32_t struct_size;  /* sizeof(lithe_vertex_layout) */
-  uint32_t stride;       /* bytes from vertex to vertex [<= 2048] */
-  uint32_t influences;   /* joints and weights written per vertex, padded with zeros [max_influences..8] */
+  uint32_t struct_size; /* sizeof(lithe_vertex_layout) */
+  uint32_t stride;      /* bytes from vertex to vertex [<= 2048] */
+  uint32_t influences;  /* joints and weights written per vertex, padded with zeros [max_influences..8] */
   lithe_attribute position, normal, tangent;
   lithe_attribute uv[LITHE_MAX_UV_SETS];
   lithe_attribute color[LITHE_MAX_COLOR_SETS];
@@ -280,15 +281,15 @@ LITHE_NODISCARD LITHE_API lithe_result lithe_asset_write_morph_sources(const lit
 
 /* Read-only views into the asset, valid until the next supply, evict or close. Structure of arrays. */
 typedef struct lithe_hierarchy {
-  uint32_t node_count, wedge_count, face_count;   /* resident */
-  const int32_t* node_position;      /* 3 per node, grid coordinates: bind space = grid_origin + grid_step * value */
-  const uint32_t* node_parent;       /* LITHE_NO_INDEX for a root; ids grow from coarse to fine */
-  const uint32_t* node_first_child;  /* the two children are this and this + 1; LITHE_NO_INDEX for a leaf (so far) */
+  uint32_t node_count, wedge_count, face_count; /* resident */
+  const int32_t* node_position;     /* 3 per node, grid coordinates: bind space = grid_origin + grid_step * value */
+  const uint32_t* node_parent;      /* LITHE_NO_INDEX for a root; ids grow from coarse to fine */
+  const uint32_t* node_first_child; /* the two children are this and this + 1; LITHE_NO_INDEX for a leaf (so far) */
   const uint32_t* wedge_node;
-  const uint32_t* wedge_parent;      /* the wedge it came from, LITHE_NO_INDEX in the base */
+  const uint32_t* wedge_parent; /* the wedge it came from, LITHE_NO_INDEX in the base */
   const uint16_t* wedge_part;
-  const uint32_t* face_wedges;       /* 3 per face, the finest resident cut; a face belongs to every cut in which its
-                                        corners' ancestors are three different nodes */
+  const uint32_t* face_wedges; /* 3 per face, the finest resident cut; a face belongs to every cut in which its
+                                  corners' ancestors are three different nodes */
   float grid_origin[3];
   float grid_step;
 } lithe_hierarchy;
@@ -313,30 +314,30 @@ LITHE_API void lithe_asset_posed_box(const lithe_asset* asset, const float* pale
 /* ---- Selection: the level of every instance by its error on screen ----------------------------------------------- */
 
 typedef struct lithe_view {
-  float position[3];        /* the camera, world space */
-  float pixels_per_radian;  /* perspective: viewport height / (2 tan(vertical field of view / 2)).
-                               0: orthographic, then pixels_per_unit counts */
-  float pixels_per_unit;    /* orthographic: viewport height / height of the view volume */
-  float near_distance;      /* > 0; distances are not taken smaller */
-  float threshold_px;       /* the largest error on screen that is allowed, > 0 */
-  float hysteresis;         /* 0..0.9: a coarser level than the current one is taken only when its error is below
-                               threshold_px * (1 - hysteresis) */
+  float position[3];       /* the camera, world space */
+  float pixels_per_radian; /* perspective: viewport height / (2 tan(vertical field of view / 2)).
+                              0: orthographic, then pixels_per_unit counts */
+  float pixels_per_unit;   /* orthographic: viewport height / height of the view volume */
+  float near_distance;     /* > 0; distances are not taken smaller */
+  float threshold_px;      /* the largest error on screen that is allowed, > 0 */
+  float hysteresis;        /* 0..0.9: a coarser level than the current one is taken only when its error is below
+                              threshold_px * (1 - hysteresis) */
 } lithe_view;
 
 /* One drawn character. The host fills it and keeps it; `level` is read (hysteresis) and written by lithe_select. */
 typedef struct lithe_instance {
-  float center[3];     /* bounding sphere of the posed character, world space */
+  float center[3]; /* bounding sphere of the posed character, world space */
   float radius;
-  float scale;         /* world units per bind-space unit of the asset (largest axis) */
-  float bias;          /* multiplies the error: 2 asks for twice the quality; 1 normal */
-  uint32_t asset;      /* index into the assets given to lithe_select */
-  uint32_t level;      /* LITHE_NO_LEVEL: not chosen yet, or nothing resident */
+  float scale;    /* world units per bind-space unit of the asset (largest axis) */
+  float bias;     /* multiplies the error: 2 asks for twice the quality; 1 normal */
+  uint32_t asset; /* index into the assets given to lithe_select */
+  uint32_t level; /* LITHE_NO_LEVEL: not chosen yet, or nothing resident */
 } lithe_instance;
 
 typedef struct lithe_select_stats {
-  uint64_t triangles;         /* of the chosen levels */
-  uint32_t undrawable;        /* instances whose asset has no resident level */
-  uint32_t limited;           /* instances that would like a finer level than is resident */
+  uint64_t triangles;  /* of the chosen levels */
+  uint32_t undrawable; /* instances whose asset has no resident level */
+  uint32_t limited;    /* instances that would like a finer level than is resident */
 } lithe_select_stats;
 
 /* Chooses for each instance the coarsest level whose error on screen is within the threshold, among the resident ones.
@@ -363,10 +364,10 @@ typedef struct lithe_draw {
 
 /* Where the host put an asset's buffers. */
 typedef struct lithe_placement {
-  int32_t vertex_offset;               /* of the asset's vertex 0 in the host's vertex buffer */
-  uint32_t part_count;                 /* as in the asset's info */
-  uint32_t level_count;                /* levels below this have their indices in the host's index buffer */
-  const lithe_range* ranges;           /* [level * part_count + part]: absolute positions in the host's index buffer */
+  int32_t vertex_offset;     /* of the asset's vertex 0 in the host's vertex buffer */
+  uint32_t part_count;       /* as in the asset's info */
+  uint32_t level_count;      /* levels below this have their indices in the host's index buffer */
+  const lithe_range* ranges; /* [level * part_count + part]: absolute positions in the host's index buffer */
 } lithe_placement;
 
 /* What a draw is of: same index as in draws. */
@@ -387,7 +388,8 @@ LITHE_API uint32_t lithe_draws_bound(const lithe_placement* placements, uint32_t
 LITHE_NODISCARD LITHE_API lithe_result lithe_build_draws(const lithe_placement* placements, uint32_t asset_count,
                                                          const lithe_instance* instances, uint32_t instance_count,
                                                          uint32_t* instance_order, lithe_draw* draws,
-                                                         lithe_draw_key* keys, uint32_t* draw_count, uint32_t* counters);
+                                                         lithe_draw_key* keys, uint32_t* draw_count,
+                                                         uint32_t* counters);
 
 #ifdef __cplusplus
 }

@@ -53,12 +53,12 @@ struct Span {
   constexpr T* end() const { return data + size; }
 };
 
-/// The C library's memory, with every alignment that lithe asks for.
+/// The C library's memory, with every alignment that lithe may ask for.
 inline lithe_allocator mallocAllocator() {
   lithe_allocator allocator = {};
   allocator.alloc = [](void*, std::size_t size, std::size_t alignment) -> void* {
-    // malloc aligns for every fundamental type; what is more is made by hand, with the block's own address before it.
-    if (alignment <= alignof(std::max_align_t)) return std::malloc(size);
+    // free is not told the alignment, so every block carries its own address in front.
+    if (alignment < sizeof(void*)) alignment = sizeof(void*);
     if (size > SIZE_MAX - alignment - sizeof(void*)) return nullptr;
     void* block = std::malloc(size + alignment + sizeof(void*));
     if (!block) return nullptr;
@@ -67,7 +67,7 @@ inline lithe_allocator mallocAllocator() {
     memory[-1] = block;
     return memory;
   };
-  allocator.free = [](void*, void* memory, std::size_t) { std::free(memory); };
+  allocator.free = [](void*, void* memory, std::size_t) { std::free(static_cast<void**>(memory)[-1]); };
   return allocator;
 }
 

@@ -13,7 +13,8 @@
 
 namespace lithe::bake {
 
-/// Bad input or a failed check: one sentence that names the file, the place and what to do. The tool prints it and exits 1.
+/// Bad input or a failed check: one sentence that names the file, the place and what to do. The tool prints it and
+/// exits 1.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -22,7 +23,8 @@ class Error : public std::runtime_error {
 inline constexpr uint32_t kNone = 0xffffffffu;
 inline constexpr uint32_t kMaxUvSets = 8;
 inline constexpr uint32_t kMaxColorSets = 2;
-/// Influences kept per vertex at import (JOINTS_0 and JOINTS_1). The cap of the bake (1..8) is applied later, by weld().
+/// Influences kept per vertex at import (JOINTS_0 and JOINTS_1). The cap of the bake (1..8) is applied later, by
+/// weld().
 inline constexpr uint32_t kMaxImportedInfluences = 8;
 
 /// A node's local transform: translation, unit quaternion, scale (applied as T * R * S).
@@ -79,8 +81,8 @@ struct Channel {
   uint32_t node = kNone;
   Path path = Path::kTranslation;
   Interpolation interpolation = Interpolation::kLinear;
-  std::vector<float> times;         ///< seconds, strictly increasing
-  std::vector<glm::vec4> values;    ///< one per key, three per key for cubic splines (in-tangent, value, out-tangent)
+  std::vector<float> times;       ///< seconds, strictly increasing
+  std::vector<glm::vec4> values;  ///< one per key, three per key for cubic splines (in-tangent, value, out-tangent)
 };
 
 struct Clip {
@@ -92,8 +94,8 @@ struct Clip {
 /// The character. Vertices are glTF's (one per attribute tuple), all parts concatenated, structure of arrays.
 /// Positions, normals and tangents are in bind space: posed = sum_k weight_k * palette[joint_k] * position.
 struct Model {
-  std::vector<Node> nodes;   ///< every node that is a joint, an ancestor of one, or carries a rigid part; parents first
-  std::vector<Joint> joints; ///< the palette
+  std::vector<Node> nodes;  ///< every node that is a joint, an ancestor of one, or carries a rigid part; parents first
+  std::vector<Joint> joints;  ///< the palette
   std::vector<std::string> materials;
   std::vector<Part> parts;
   AttributeSet attributes;
@@ -109,9 +111,9 @@ struct Model {
   std::vector<uint32_t> triangle_part;             ///< per triangle, index into parts, ascending
 
   std::vector<Clip> clips;
-  double rest_diagonal = 0.0;        ///< of the bounding box of the file's own vertex positions (skinned parts; before any
-                                     ///< change of bind space): the unit in which posed errors are stated
-  std::vector<std::string> warnings; ///< one sentence each: what was repaired or dropped
+  double rest_diagonal = 0.0;  ///< of the bounding box of the file's own vertex positions (skinned parts; before any
+                               ///< change of bind space): the unit in which posed errors are stated
+  std::vector<std::string> warnings;  ///< one sentence each: what was repaired or dropped
 };
 
 /// A posed skeleton: the palette of one instant.
