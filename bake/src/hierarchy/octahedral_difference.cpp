@@ -12,10 +12,18 @@ namespace {
 
 using format::Int2;
 
-// A point and its images beyond the square's four edges: all of them fold back to it.
-std::array<Int2, 5> imagesOf(Int2 p, int32_t center) {
+// A point and its images beyond the square's edges and corners: all of them fold back to it.
+std::array<Int2, 9> imagesOf(Int2 p, int32_t center) {
   const int32_t size = 2 * center;
-  return {{p, {-p.x, size - p.y}, {2 * size - p.x, size - p.y}, {size - p.x, -p.y}, {size - p.x, 2 * size - p.y}}};
+  return {{p,
+           {-p.x, size - p.y},
+           {2 * size - p.x, size - p.y},
+           {size - p.x, -p.y},
+           {size - p.x, 2 * size - p.y},
+           {p.x - size, p.y - size},
+           {p.x - size, p.y + size},
+           {p.x + size, p.y - size},
+           {p.x + size, p.y + size}}};
 }
 
 bool same(Int2 p, Int2 q) { return p.x == q.x && p.y == q.y; }
@@ -26,14 +34,7 @@ bool decodes(Int2 parent, Int2 d, Int2 b, Int2 a, int32_t t8, int32_t center) {
   return same(format::octahedralFold(x, center), b) && same(format::octahedralFold({x.x + d.x, x.y + d.y}, center), a);
 }
 
-Int2 shortest(Int2 b, Int2 a, int32_t center) {
-  Int2 best{a.x - b.x, a.y - b.y};
-  for (Int2 image : imagesOf(a, center)) {
-    const Int2 d{image.x - b.x, image.y - b.y};
-    if (length(d) < length(best)) best = d;
-  }
-  return best;
-}
+bool inSquare(Int2 p, int32_t center) { return p.x >= 0 && p.x <= 2 * center && p.y >= 0 && p.y <= 2 * center; }
 
 }  // namespace
 
@@ -47,12 +48,23 @@ std::optional<Int2> octahedralDifference(Int2 parent, Int2 b, Int2 a, int32_t t8
   return best;
 }
 
+// The images are chosen so that the point lies in the square as it is: folded, its rounding would be mirrored, and a
+// reader could not undo it. Straight across always fits; of equal ways the one with the lower point is taken, so that
+// either child's order gives the same.
 Int2 octahedralBetween(Int2 b, Int2 a, int32_t t8, int32_t center) {
-  const Int2 d = shortest(b, a, center);
-  const Int2 folded = format::octahedralFold({b.x + format::eighths(d.x, t8), b.y + format::eighths(d.y, t8)}, center);
-  if (octahedralDifference(folded, b, a, t8, center) && octahedralDifference(folded, a, b, 8 - t8, center))
-    return folded;
-  return {b.x + format::eighths(a.x - b.x, t8), b.y + format::eighths(a.y - b.y, t8)};
+  Int2 best{b.x + format::eighths(a.x - b.x, t8), b.y + format::eighths(a.y - b.y, t8)};
+  int32_t least = length({a.x - b.x, a.y - b.y});
+  for (Int2 from : imagesOf(b, center))
+    for (Int2 to : imagesOf(a, center)) {
+      const Int2 d{to.x - from.x, to.y - from.y};
+      if (length(d) > least) continue;
+      const Int2 p{from.x + format::eighths(d.x, t8), from.y + format::eighths(d.y, t8)};
+      if (length(d) == least && !(p.y < best.y || (p.y == best.y && p.x < best.x))) continue;
+      if (!inSquare(p, center) || !decodes(p, d, b, a, t8, center)) continue;
+      best = p;
+      least = length(d);
+    }
+  return best;
 }
 
 }  // namespace lithe::bake

@@ -16,7 +16,8 @@ std::optional<format::Int2> octahedralDifference(format::Int2 parent, format::In
                                                  int32_t center);
 
 /// A parent at t8 eighths from b to a for which octahedralDifference exists, whichever child comes first: over the fold
-/// when that is the short way, else straight across the square.
+/// when that is the shorter way, else straight across the square. A child on the square's border can only be reached
+/// from inside: a reader's fold leaves it where it is, though its other half of the edge is the same direction.
 format::Int2 octahedralBetween(format::Int2 b, format::Int2 a, int32_t t8, int32_t center);
 
 }  // namespace lithe::bake
