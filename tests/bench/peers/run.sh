@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
-# lithe beside meshoptimizer and gltfpack on the same skinned characters, at the same triangle counts, as one markdown table.
+# lithe beside meshoptimizer and gltfpack on the same skinned characters, at the same triangle counts, as markdown tables: posed
+# RMS and Hausdorff distance, normals, flipped area, uvs, seconds, their means, and where a peer is better.
 #
+#     tests/bench/peers/run.sh --suite [--methods ...] [--keep FOLDER]   the built-in figure and column, and the shared characters
 #     tests/bench/peers/run.sh FILE... [--ratios 0.5,0.2,0.1,0.05] [--methods meshopt,meshopt-attr,...]
 #         [--anim all|NAME] [--frames N]                     what is measured
 #         [--train all|CLIP] [--train-frames N] [--phase mid|ends]   poses shown to lithe and to meshopt-poses*
@@ -16,7 +18,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 built=$here/../../../build/release/bake/lithe
 if [ -z "${LITHE:-}" ] && [ -x "$built" ]; then LITHE=$built; fi
 export LITHE=${LITHE:-lithe}
-[ $# -gt 0 ] || { sed -n '6,13s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[ $# -gt 0 ] || { sed -n '7,15s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 command -v "$LITHE" >/dev/null || { echo "there is no tool '$LITHE': build lithe and set LITHE to it" >&2; exit 2; }
 [ -d "$here/node_modules/meshoptimizer" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
 exec node "$here/run.mjs" "$@"
