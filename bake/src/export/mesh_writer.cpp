@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "skeleton_writer.h"
+#include "transform.h"
 
 namespace lithe::bake {
 
@@ -56,26 +57,38 @@ class Floats {
 /// space.
 class WrittenSpace {
  public:
-  explicit WrittenSpace(const glm::dmat4& from_bind)
-      : from_bind_(from_bind), directions_(from_bind), normals_(glm::transpose(glm::inverse(glm::dmat3(from_bind)))) {}
+  /// @param turned  what is written there is drawn mirrored
+  WrittenSpace(const glm::dmat4& from_bind, bool turned)
+      : from_bind_(from_bind),
+        directions_(from_bind),
+        normals_(glm::transpose(glm::inverse(glm::dmat3(from_bind)))),
+        turned_(turned) {}
 
   glm::dvec3 position(const glm::vec3& p) const { return glm::dvec3(from_bind_ * glm::dvec4(p, 1.0)); }
   glm::dvec3 normal(const glm::vec3& n) const { return unit(normals_ * glm::dvec3(n), {0.0, 0.0, 1.0}); }
   glm::dvec4 tangent(const glm::vec4& t) const {
-    const double handedness = (t.w < 0.0f) != mirrors() ? -1.0 : 1.0;
+    const double handedness = (t.w < 0.0f) != turned_ ? -1.0 : 1.0;
     return {unit(directions_ * glm::dvec3(t), {1.0, 0.0, 0.0}), handedness};
   }
   /// Viewers turn the triangles of a mirrored node round; these are turned beforehand.
-  bool mirrors() const { return glm::determinant(directions_) < 0.0; }
+  bool turned() const { return turned_; }
 
  private:
   glm::dmat4 from_bind_;
   glm::dmat3 directions_, normals_;
+  bool turned_;
 };
 
+glm::dmat4 restWorld(const Model& model, uint32_t node) {
+  glm::dmat4 world(1.0);
+  for (; node != kNone; node = model.nodes[node].parent) world = model.nodes[node].rest.matrix() * world;
+  return world;
+}
+
 WrittenSpace writtenSpace(const Model& model, uint32_t part, const PartMesh& mesh) {
-  const bool rigid = model.parts[part].rigid_node != kNone;
-  return WrittenSpace(rigid ? model.joints[model.skins[mesh.vertices.front()].joint[0]].inverse_bind : glm::dmat4(1.0));
+  const uint32_t node = model.parts[part].rigid_node;
+  if (node == kNone) return {glm::dmat4(1.0), false};
+  return {model.joints[model.skins[mesh.vertices.front()].joint[0]].inverse_bind, mirrors(restWorld(model, node))};
 }
 
 Json writeShape(const Model& model, const PartMesh& mesh, const WrittenSpace& space, GltfBuilder& gltf) {
@@ -146,7 +159,7 @@ void writeSkinAttributes(const Model& model, const PartMesh& mesh, Json& attribu
 Json writePrimitive(const Model& model, uint32_t part, PartMesh mesh, const std::vector<uint32_t>& material_of,
                     GltfBuilder& gltf) {
   const WrittenSpace space = writtenSpace(model, part, mesh);
-  if (space.mirrors()) {
+  if (space.turned()) {
     for (size_t i = 0; i < mesh.corners.size(); i += 3) std::swap(mesh.corners[i + 1], mesh.corners[i + 2]);
   }
   Json attributes = writeShape(model, mesh, space, gltf);

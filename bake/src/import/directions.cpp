@@ -44,13 +44,17 @@ std::vector<uint32_t> weldPositions(const Draft& draft) {
   return id;
 }
 
-/// Per position id: the sum of the triangles' normals times twice their areas.
-std::vector<glm::dvec3> areaNormals(const Model& model, const std::vector<uint32_t>& id) {
+/// Per position id: the sum of the triangles' normals times twice their areas. Triangles are counter-clockwise as
+/// posed, so a part that is posed mirrored has them the other way round here.
+std::vector<glm::dvec3> areaNormals(const Draft& draft, const std::vector<uint32_t>& id) {
+  const Model& model = draft.model;
   std::vector<glm::dvec3> sums(model.positions.size(), glm::dvec3(0.0));
-  for (const auto& [a, b, c] : model.triangles) {
+  for (size_t t = 0; t < model.triangles.size(); ++t) {
+    const auto& [a, b, c] = model.triangles[t];
     const glm::dvec3 p(model.positions[a]);
     const glm::dvec3 normal = glm::cross(glm::dvec3(model.positions[b]) - p, glm::dvec3(model.positions[c]) - p);
-    for (const uint32_t corner : {a, b, c}) sums[id[corner]] += normal;
+    const double side = draft.part_mirrored[model.triangle_part[t]] ? -1.0 : 1.0;
+    for (const uint32_t corner : {a, b, c}) sums[id[corner]] += side * normal;
   }
   return sums;
 }
@@ -61,7 +65,7 @@ void completeNormals(Draft& draft) {
                                      [](const glm::vec3& normal) { return !hasDirection(normal); });
   if (lacking > 0) {
     const std::vector<uint32_t> id = weldPositions(draft);
-    const std::vector<glm::dvec3> smooth = areaNormals(model, id);
+    const std::vector<glm::dvec3> smooth = areaNormals(draft, id);
     for (size_t v = 0; v < model.normals.size(); ++v) {
       if (!hasDirection(model.normals[v])) model.normals[v] = unit(smooth[id[v]]);
     }

@@ -28,6 +28,7 @@ struct Draft {
   std::vector<FileJoint> joints;
   std::vector<FileSkin> skins;      ///< per vertex
   std::vector<uint32_t> part_node;  ///< per part: the file's node that shows it
+  std::vector<bool> part_mirrored;  ///< per part: its rest pose is a mirror image of what the file stores
 };
 
 }  // namespace lithe::bake

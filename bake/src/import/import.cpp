@@ -11,6 +11,7 @@
 #include "inventory.h"
 #include "scene.h"
 #include "skeleton.h"
+#include "winding.h"
 
 namespace lithe::bake {
 
@@ -23,6 +24,7 @@ Model readModel(const std::filesystem::path& path) {
   const Inventory inventory = takeInventory(file, tree, warnings);
   Draft draft = readGeometry(file, inventory);
   if (draft.model.triangles.empty()) file.name.fail("", "the scene shows no triangles; export a mesh with its skin");
+  turnMirroredParts(draft, tree);
   completeDirections(draft);
   unifyBindSpace(draft, tree);
   const std::vector<uint32_t> node_index = buildSkeleton(draft, tree, file);

@@ -34,6 +34,8 @@ Transform decompose(const glm::dmat4& matrix, bool& sheared) {
 
 double lengthScale(const glm::dmat4& matrix) { return std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix)))); }
 
+bool mirrors(const glm::dmat4& matrix) { return invertible(matrix) && glm::determinant(glm::dmat3(matrix)) < 0.0; }
+
 bool invertible(const glm::dmat4& matrix) {
   const glm::dmat3 linear(matrix);
   double longest = 0.0;

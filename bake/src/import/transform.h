@@ -14,6 +14,9 @@ Transform decompose(const glm::dmat4& matrix, bool& sheared);
 /// How much the linear part scales lengths, on average over directions: the cube root of |determinant|.
 double lengthScale(const glm::dmat4& matrix);
 
+/// Whether the linear part turns a right hand into a left one.
+bool mirrors(const glm::dmat4& matrix);
+
 /// Whether the linear part can be inverted without blowing up: no direction is flattened to less than a millionth of
 /// another.
 bool invertible(const glm::dmat4& matrix);

@@ -28,6 +28,10 @@ namespace lithe::bake {
 /// grid over all positions wastes nothing; where they are not, positions stay as in the file. Posed positions are the
 /// same either way. Rigid parts are moved to where the rest pose shows them beside the skinned ones.
 ///
+/// Winding: triangles are counter-clockwise seen from outside once they are posed. Those of a node that mirrors (a
+/// negative determinant at rest) are turned round, as viewers do; those of a skinned mesh only if its joints mirror
+/// too, since glTF ignores the transform of its node.
+///
 /// Attributes that only some primitives have are filled in for the others: uv by zero, colours by opaque white (glTF's
 /// neutral values), tangents by a unit vector at right angles to the normal. Normals are always present.
 /// @throws Error if the file cannot be read, is damaged, refers to what it does not contain, has no triangle, or needs

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 /// One bind space for all skins, and posed positions that do not notice.
-#include "gltf_builder.h"
+#include "gltf_draft.h"
 #include "lithe/bake/poses.h"
 
 namespace lithe::bake {

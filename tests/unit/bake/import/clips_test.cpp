@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "gltf_builder.h"
+#include "gltf_draft.h"
 #include "lithe/bake/poses.h"
 
 namespace lithe::bake {
 namespace {
 
 /// Adds an animation of one channel.
-void addClip(GltfBuilder& builder, int node, const std::string& path, int times, int values,
+void addClip(GltfDraft& builder, int node, const std::string& path, int times, int values,
              const std::string& interpolation = "LINEAR") {
   builder.add("animations", {{"name", path},
                              {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}}},

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "gltf_builder.h"
+#include "gltf_draft.h"
 
 namespace lithe::bake {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 /// Arrays, triangles and attributes in every form that glTF has for them.
-#include "gltf_builder.h"
+#include "gltf_draft.h"
 
 namespace lithe::bake {
 namespace {
@@ -44,7 +44,7 @@ TEST(ImportGeometry, ReadsJsonWithEmbeddedAndExternalBuffers) {
 
 TEST(ImportGeometry, ReadsDataUrisOfAnyMediaType) {
   // Positions alone: three corners of one rigid triangle, 36 bytes.
-  GltfBuilder triangle;
+  GltfDraft triangle;
   triangle.add("bufferViews", {{"buffer", 0}, {"byteLength", 36}});
   triangle.add("accessors", {{"bufferView", 0}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
   triangle.add("meshes", {{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}});
@@ -151,7 +151,7 @@ TEST(ImportGeometry, LeavesUnusedVerticesOut) {
 
 TEST(ImportGeometry, MakesSmoothNormalsOverEqualPositions) {
   // A roof of two triangles that share an edge only by position: along the edge normals are the mean, weighted by area.
-  GltfBuilder roof;
+  GltfDraft roof;
   const int position = roof.accessor<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 3});
   roof.add("meshes", {{"primitives", {{{"attributes", {{"POSITION", position}}}}}}});
   roof.add("nodes", {{"mesh", 0}});

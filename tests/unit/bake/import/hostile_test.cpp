@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 /// Damaged and malicious files: one sentence each, never a crash, never much memory.
-#include "gltf_builder.h"
+#include "gltf_draft.h"
 
 namespace lithe::bake {
 namespace {

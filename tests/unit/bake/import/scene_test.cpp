@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 /// Nodes, the parts they show, and rigid parts.
-#include "gltf_builder.h"
+#include "gltf_draft.h"
 #include "lithe/bake/poses.h"
 
 namespace lithe::bake {
@@ -18,7 +18,7 @@ std::vector<std::string> nodeNames(const Model& model) {
 }
 
 /// Adds a node that shows one triangle (0,0,0) (1,0,0) (0,1,0) without a skin.
-int addProp(GltfBuilder& builder, nlohmann::json node) {
+int addProp(GltfDraft& builder, nlohmann::json node) {
   const int position = builder.accessor<float>("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0});
   node["mesh"] =
       builder.add("meshes", {{"name", "prop"}, {"primitives", {{{"attributes", {{"POSITION", position}}}}}}});
@@ -110,7 +110,7 @@ TEST(ImportScene, PutsRigidPartsBesideSkinnedOnesInBindSpace) {
 }
 
 TEST(ImportScene, CharactersMayBeRigidAltogether) {
-  GltfBuilder builder;
+  GltfDraft builder;
   builder.json["nodes"] = {{{"name", "root"}, {"children", {1}}, {"translation", {0, 1, 0}}}};
   addProp(builder, {{"name", "prop"}, {"scale", {0, 0, 0}}});
   const Model hidden = importBuilt(builder);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 /// Influences, and what is done about bad ones.
-#include "gltf_builder.h"
+#include "gltf_draft.h"
 
 namespace lithe::bake {
 namespace {
@@ -23,7 +23,7 @@ TEST(ImportSkin, ReadsWeightsOfEveryType) {
         "VEC4", {65535, 0, 0, 0, 65535, 0, 0, 0, 13107, 52428, 0, 0, 52428, 13107, 0, 0}, normalized);
     shorts.primitive()["attributes"]["JOINTS_0"] =
         shorts.accessor<uint16_t>("VEC4", {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0});
-    for (const GltfBuilder* builder : {static_cast<GltfBuilder*>(&bytes), static_cast<GltfBuilder*>(&shorts)}) {
+    for (const GltfDraft* builder : {static_cast<GltfDraft*>(&bytes), static_cast<GltfDraft*>(&shorts)}) {
       const Model model = importBuilt(*builder);
       expectSkin(model.skins[0], {{0, 1.0f}});
       expectSkin(model.skins[2], {{1, .8f}, {0, .2f}});

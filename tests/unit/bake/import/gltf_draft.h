@@ -35,8 +35,9 @@ inline size_t componentsOf(const std::string& type) {
   return type == "VEC4" ? 4 : 16;
 }
 
-/// A document under construction: `json` is free to be changed, `binary` is buffer 0.
-struct GltfBuilder {
+/// A document under construction (not the exporter's GltfBuilder, which is linked too): `json` is free to be changed,
+/// `binary` is buffer 0.
+struct GltfDraft {
   nlohmann::json json = {{"asset", {{"version", "2.0"}}}};
   std::vector<uint8_t> binary;
 
@@ -109,7 +110,7 @@ inline Model importBytes(const std::vector<uint8_t>& file) {
   return importGltf(writeBytes(tempFile(".glb"), file.data(), file.size()));
 }
 
-inline Model importBuilt(const GltfBuilder& builder) { return importBytes(builder.glb()); }
+inline Model importBuilt(const GltfDraft& builder) { return importBytes(builder.glb()); }
 
 /// What importing throws, without the file's name; "nothing" if it does not.
 inline std::string complaintAbout(const std::vector<uint8_t>& file) {
@@ -133,7 +134,7 @@ inline bool warned(const Model& model, const std::string& fragment) {
 
 /// A ribbon of two triangles in the plane z = 0, x from 0 to 2, bound to the joints "a" at x = 0 and "b" at x = 1:
 /// vertices 0 and 1 (x = 0) to a, 2 and 3 (x = 2) half to a and half to b. Node 2 shows it. Rest pose is bind pose.
-struct Ribbon : GltfBuilder {
+struct Ribbon : GltfDraft {
   int position, joints, weights, indices, inverse_binds;
 
   Ribbon() {
