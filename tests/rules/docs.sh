@@ -29,7 +29,7 @@ check_tool_line() {
   command=$(sed -nE 's/.*(^|[ \/])lithe ([a-z]+).*/\2/p' <<<"$line")
   help=$("$LITHE" "$command" --help 2>&1) || { echo "$page: the tool has no command '$command'"; return; }
   for option in $(grep -oE '(^| )--?[a-z][a-z0-9-]*' <<<"${line#*lithe "$command"}" || true); do
-    grep -qE -- "(^|[ ,\[(])$option([ ,=\])]|\$)" <<<"$help" || echo "$page: lithe $command has no option $option"
+    grep -qE -- "(^|[[ ,(])$option([], =)]|\$)" <<<"$help" || echo "$page: lithe $command has no option $option"
   done
 }
 
@@ -65,6 +65,8 @@ break_command() {
 }
 break_option() {
   break_command "$1"
+  printf '```sh\nlithe bake a.glb -o b.lithe && lithe bake a.glb --output b.lithe\n```\n' | write "$1/docs/x.md"
+  [ -z "$(check "$1")" ] || { echo "options that the help lists are not found: $(check "$1")"; return 1; }
   printf '```sh\nlithe bake a.glb -o b.lithe \\\n  --quick\n```\n' | write "$1/docs/x.md"
   expected="docs/x.md: lithe bake has no option --quick"
 }
