@@ -219,7 +219,7 @@ LITHE_NODISCARD LITHE_API lithe_result lithe_asset_evict(lithe_asset* asset, uin
 typedef enum lithe_format {
   LITHE_FORMAT_NONE = 0,
   LITHE_FORMAT_F32 = 1,     /* position xyz, normal xyz, tangent xyzw, uv xy, colour rgba, weights x max_influences */
-  LITHE_FORMAT_SNORM16 = 2, /* position: 4 x int16 (w = 32767); normal and tangent: 2 x int16 octahedral */
+  LITHE_FORMAT_SNORM16 = 2, /* int16: position xyz, 32767; normal octahedral x, y; tangent x, hand * (y + 1) / 2 */
   LITHE_FORMAT_SNORM8 = 3,  /* normal and tangent: 4 x int8 xyzw */
   LITHE_FORMAT_F16 = 4,     /* uv: 2 x IEEE half */
   LITHE_FORMAT_UNORM16 = 5, /* uv: 2 x uint16, only where the uvs are within 0..1; weights: uint16 that sum to 65535 */
