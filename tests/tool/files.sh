@@ -58,7 +58,10 @@ fi
 when_full() { (trap '' XFSZ && ulimit -f 4 && failures=0 && "$@" && finish) || complain "with a full disk"; }
 when_full answers 1 "out.lithe: cannot be written: File too large" bake "$characters/small.glb" -o out.lithe
 when_full answers 1 "out.glb: " export "$characters/column.lithe" -o out.glb --level 0
+echo before >out.bin && cp out.bin out.gltf
 when_full answers 1 "out.bin: " export "$characters/column.lithe" -o out.gltf --level 0
+[ "$(cat out.bin out.gltf)" = "$(printf 'before\nbefore')" ] || complain "a failed export changed one of its files"
+rm out.bin out.gltf
 when_full answers 1 "out.glb: " generate column -o out.glb
 holds_only folder ""
 holds_only . folder out err text.glb short.glb empty.lithe short.lithe shorter.lithe longer.lithe flipped.lithe

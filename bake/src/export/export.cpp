@@ -11,8 +11,8 @@
 #include "clip_writer.h"
 #include "gltf_builder.h"
 #include "lithe/bake/import.h"
+#include "lithe/bake/output_files.h"
 #include "mesh_writer.h"
-#include "output_files.h"
 #include "skeleton_writer.h"
 #include "uri.h"
 
@@ -94,15 +94,16 @@ std::vector<uint8_t> glbBytes(GltfBuilder& gltf, const std::filesystem::path& pa
 
 void writeDocument(GltfBuilder gltf, const std::filesystem::path& path) {
   if (path.extension() != ".gltf") {
-    const OutputFile glb{path, glbBytes(gltf, path)};
+    const std::vector<uint8_t> bytes = glbBytes(gltf, path);
+    const OutputFile glb{path, bytes};
     writeTogether({&glb, 1});
     return;
   }
   std::filesystem::path binary = path;
   binary.replace_extension(".bin");
   gltf.closeBuffer(percentEncoded(binary.filename().string()));
-  const std::array<OutputFile, 2> files{OutputFile{binary, std::move(gltf.binary)},
-                                        OutputFile{path, toBytes(textOf(gltf.json, 1) + "\n")}};
+  const std::vector<uint8_t> text = toBytes(textOf(gltf.json, 1) + "\n");
+  const std::array<OutputFile, 2> files{OutputFile{binary, gltf.binary}, OutputFile{path, text}};
   writeTogether(files);
 }
 

@@ -2,29 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "buffers.h"
 
+#include "uri.h"
+
 namespace lithe::bake {
 
 namespace {
 
 using Json = nlohmann::json;
-
-int hexDigit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-/// Percent encoding (RFC 3986): URIs in glTF are encoded, file names are not.
-std::string decodePercent(const std::string& uri) {
-  std::string text;
-  for (size_t i = 0; i < uri.size(); ++i) {
-    const bool encoded = uri[i] == '%' && i + 2 < uri.size() && hexDigit(uri[i + 1]) >= 0 && hexDigit(uri[i + 2]) >= 0;
-    text += encoded ? static_cast<char>(hexDigit(uri[i + 1]) * 16 + hexDigit(uri[i + 2])) : uri[i];
-    if (encoded) i += 2;
-  }
-  return text;
-}
 
 /// tinygltf knows a fixed list of media types; the bytes are the same whatever they are called.
 Bytes decodeDataUri(const FileName& name, const std::string& uri, const std::string& place) {
@@ -44,10 +28,10 @@ Bytes readExternal(const FileName& name, const std::string& uri, const std::file
   if (uri.find("://") != std::string::npos) {
     name.fail(place, "'" + uri + "' is on a network; download it and refer to the copy");
   }
-  const std::filesystem::path path = folder / std::filesystem::path(decodePercent(uri));
+  const std::filesystem::path path = folder / std::filesystem::path(percentDecoded(uri));
   std::error_code failure;
   if (!std::filesystem::is_regular_file(path, failure)) {
-    name.fail(place, "its file '" + decodePercent(uri) + "' is missing; put it beside the .gltf");
+    name.fail(place, "its file '" + percentDecoded(uri) + "' is missing; put it beside the .gltf");
   }
   return readWholeFile(name, path);
 }

@@ -11,6 +11,7 @@
 #include "files.h"
 #include "lithe/bake/bake.h"
 #include "lithe/bake/import.h"
+#include "lithe/bake/output_files.h"
 #include "lithe/bake/simplify.h"
 #include "progress.h"
 
@@ -38,8 +39,9 @@ void requireReadable(const std::vector<uint8_t>& bytes, const std::string& name,
 }
 
 ExitCode bakeFile(BakeArguments arguments) {
-  requireWritable(arguments.output);
-  if (!arguments.json.empty() && arguments.json != "-") requireWritable(arguments.json);
+  const bool json_file = !arguments.json.empty() && arguments.json != "-";
+  bake::requireWritable(arguments.output);
+  if (json_file) bake::requireWritable(arguments.json);
   Progress progress(arguments.quiet);
   progress.report("import", 0.0);
   const bake::Model model = bake::importGltf(arguments.input);
@@ -50,8 +52,11 @@ ExitCode bakeFile(BakeArguments arguments) {
   requireReadable(bytes, arguments.output, progress);
   progress.finish();
 
-  writeFile(arguments.output, bytes);
-  if (!arguments.json.empty()) writeText(arguments.json, bakeJson(report, arguments.input, arguments.output));
+  const std::string json = bakeJson(report, arguments.input, arguments.output);
+  std::vector<bake::OutputFile> files{{arguments.output, bytes}};
+  if (json_file) files.push_back({arguments.json, bytesOf(json)});
+  bake::writeTogether(files);
+  if (arguments.json == "-") std::fputs(json.c_str(), stdout);
   if (arguments.quiet) return kDone;
   for (const std::string& warning : report.warnings) {
     std::fprintf(stderr, "lithe: warning: %s: %s\n", arguments.input.c_str(), warning.c_str());
@@ -79,6 +84,14 @@ std::string checkShare(const std::string& text) {
                                                                         : "'" + text + "' is not above 0 and at most 1";
 }
 
+/// Turns "auto" into the number that stands for it.
+std::string readWeightBits(std::string& text) {
+  if (text == "auto") text = "0";
+  const bool number = !text.empty() && text.size() <= 2 && text.find_first_not_of("0123456789") == std::string::npos;
+  const int bits = number ? std::stoi(text) : -1;
+  return bits == 0 || (bits >= 4 && bits <= 16) ? "" : "'" + text + "' is not auto, 0 or 4 to 16";
+}
+
 void addChoices(CLI::App& command, BakeArguments& arguments) {
   bake::BakeOptions& options = arguments.options;
   command.add_option("--metric", options.metric, "How a collapse is judged")
@@ -88,7 +101,9 @@ void addChoices(CLI::App& command, BakeArguments& arguments) {
       .add_option("--poses", options.poses.count, "Example poses to choose from the clips, or to sample without clips")
       ->check(CLI::Range(1u, 256u))
       ->capture_default_str();
-  command.add_option("--clips", options.poses.clips, "Take poses from these clips only: NAME,...")->delimiter(',');
+  command.add_option("--clips", options.poses.clips, "Take poses from these clips only: NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command.add_option("--pose-file", arguments.pose_file, "Take exactly the poses of this JSON file");
   command.add_option("--max-influences", options.max_influences, "Joints per vertex, at every level")
       ->check(CLI::Range(1u, 8u))
@@ -98,9 +113,11 @@ void addChoices(CLI::App& command, BakeArguments& arguments) {
                   "What to carry: normal,tangent,uv0,...,color0,... (default: normals, tangents, uv0 and color0 where "
                   "they say something)")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::Validator(checkAttribute, "NAME,..."));
   command.add_option("--levels", options.levels, "Triangles of the levels as shares of the finest")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::Validator(checkShare, "SHARE,..."));
 }
 
@@ -111,8 +128,11 @@ void addPrecision(CLI::App& command, bake::BakeOptions& options) {
   bits("--position-bits", options.position_bits, 8, 16, "Grid of the positions, per axis");
   bits("--normal-bits", options.normal_bits, 4, 15, "Octahedral normals and tangents, per component");
   bits("--uv-bits", options.uv_bits, 4, 16, "Grid of the uvs, per part and component");
-  bits("--weight-bits", options.weight_bits, 4, 16,
-       "The weights of a vertex sum to 2^bits - 1 (default: as many as the blends need)");
+  command
+      .add_option("--weight-bits", options.weight_bits,
+                  "The weights of a vertex sum to 2^bits - 1; 0 or auto chooses the 8 to 12 bits that the blends need")
+      ->transform(CLI::Validator(readWeightBits, "BITS"))
+      ->default_str("auto");
   bits("--precision", options.precision, 0, 31, "How finely coarse vertices are placed: more is better and larger");
 }
 

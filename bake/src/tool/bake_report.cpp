@@ -66,7 +66,8 @@ std::string bakeText(const bake::BakeReport& report, const std::string& input, c
   std::string text = output + ": " + grouped(report.file_bytes) + " bytes from " + input + ": " +
                      grouped(report.source_triangles) + " triangles, " + grouped(report.source_vertices) +
                      " vertices, " + std::to_string(report.poses) + " example poses\n";
-  text += format("diagonal %.6g at rest, %.6g posed\n\n", report.rest_diagonal, report.posed_diagonal);
+  text += format("diagonal %.6g at rest, %.6g posed; weights of %u bits\n\n", report.rest_diagonal,
+                 report.posed_diagonal, report.weight_bits);
   return text + levelTable(report) + "\n" + kindTable(report) + "\n" + stageLine(report);
 }
 
@@ -74,6 +75,7 @@ std::string bakeJson(const bake::BakeReport& report, const std::string& input, c
   Json json{{"input", input}, {"output", output}, {"bytes", report.file_bytes}, {"head_bytes", report.head_bytes}};
   json["source"] = {{"triangles", report.source_triangles}, {"vertices", report.source_vertices}};
   json["poses"] = report.poses;
+  json["weight_bits"] = report.weight_bits;
   json["rest_diagonal"] = report.rest_diagonal;
   json["posed_diagonal"] = report.posed_diagonal;
   for (const bake::BakedLevel& level : report.levels) json["levels"].push_back(levelJson(report, level));

@@ -10,6 +10,7 @@
 #include "command.h"
 #include "files.h"
 #include "lithe/bake/import.h"
+#include "lithe/bake/output_files.h"
 #include "text.h"
 
 namespace lithe::tool {
@@ -36,7 +37,7 @@ void requireBelow(const bake::CompareReport& report, const CompareArguments& arg
 }
 
 ExitCode compare(const CompareArguments& arguments) {
-  if (!arguments.json.empty() && arguments.json != "-") requireWritable(arguments.json);
+  if (!arguments.json.empty() && arguments.json != "-") bake::requireWritable(arguments.json);
   const bake::Model original = bake::importGltf(arguments.original);
   const bake::Model simplified = bake::importGltf(arguments.simplified);
   const bake::CompareReport report = bake::compare(original, simplified, arguments.options);

@@ -13,7 +13,7 @@
 #include "asset.h"
 #include "asset_model.h"
 #include "command.h"
-#include "files.h"
+#include "lithe/bake/output_files.h"
 #include "text.h"
 
 namespace lithe::tool {
@@ -61,7 +61,7 @@ void warnWhenFarOff(const bake::Model& model, const WriteOptions& options) {
 }
 
 ExitCode exportFile(const WriteOptions& options) {
-  requireWritable(options.output);
+  bake::requireWritable(options.output);
   Asset asset = Asset::open(options.file);
   const std::vector<bake::Model> models = chosenModels(asset, options);
   bake::ExportOptions write;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "files.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -12,6 +10,7 @@
 #include <system_error>
 
 #include "lithe/bake/model.h"
+#include "lithe/bake/output_files.h"
 
 namespace lithe::tool {
 namespace {
@@ -20,27 +19,6 @@ using FileHandle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 FileHandle openFile(const std::filesystem::path& path, const char* mode) {
   return {std::fopen(path.c_str(), mode), [](std::FILE* file) { return std::fclose(file); }};
-}
-
-[[noreturn]] void failToWrite(const std::filesystem::path& path, const std::string& reason) {
-  throw bake::Error(path.string() + ": cannot be written: " + reason + "; choose another output");
-}
-
-/// Removes its file unless told that the file has become what it should.
-struct TemporaryFile {
-  std::filesystem::path path;
-  bool kept = false;
-
-  ~TemporaryFile() {
-    std::error_code ignored;
-    if (!kept) std::filesystem::remove(path, ignored);
-  }
-};
-
-/// In the same folder, since a rename across file systems is a copy; with the process id, since two tools may run at
-/// once.
-std::filesystem::path besides(const std::filesystem::path& path) {
-  return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(getpid()) + ".tmp");
 }
 
 }  // namespace
@@ -62,18 +40,8 @@ std::vector<uint8_t> readFile(const std::filesystem::path& path) {
   return bytes;
 }
 
-void writeFile(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
-  requireWritable(path);
-  TemporaryFile temporary{besides(path)};
-  FileHandle file = openFile(temporary.path, "wb");
-  if (!file) failToWrite(path, std::strerror(errno));
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  const bool closed = std::fclose(file.release()) == 0;
-  if (!written || !closed) failToWrite(path, std::strerror(errno));
-  std::error_code error;
-  std::filesystem::rename(temporary.path, path, error);
-  if (error) failToWrite(path, error.message());
-  temporary.kept = true;
+std::span<const uint8_t> bytesOf(std::string_view text) {
+  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
 }
 
 void writeText(const std::filesystem::path& path, std::string_view text) {
@@ -81,17 +49,8 @@ void writeText(const std::filesystem::path& path, std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     return;
   }
-  writeFile(path, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
-}
-
-void requireWritable(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (path.filename().empty()) failToWrite(path, "it names no file");
-  if (std::filesystem::is_directory(path, error)) failToWrite(path, "it is a folder");
-  if (!std::filesystem::is_directory(folder, error))
-    failToWrite(path, "the folder " + folder.string() + " does not exist");
-  if (access(folder.c_str(), W_OK) != 0) failToWrite(path, std::strerror(errno));
+  const bake::OutputFile file{path, bytesOf(text)};
+  bake::writeTogether({&file, 1});
 }
 
 }  // namespace lithe::tool

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "files.h"
 #include "lithe/bake/export.h"
 #include "lithe/bake/generate.h"
+#include "lithe/bake/output_files.h"
 #include "text.h"
 
 namespace lithe::tool {
@@ -39,7 +39,7 @@ std::string text(const nlohmann::ordered_json& json) {
 }
 
 ExitCode generate(const GenerateOptions& options) {
-  requireWritable(options.output);
+  bake::requireWritable(options.output);
   const bake::Model model = bake::generate(options.name);
   bake::writeGltf(model, options.output, {});
   const nlohmann::ordered_json json = describe(model, options);

@@ -5,7 +5,7 @@
 /// Written: the whole node tree with its names; one skin with every joint of the palette, in order (a node that the
 /// palette has twice gets a child of the same name that does not move against it, for glTF allows a node once per
 /// skin); the parts of one name as the primitives of one mesh; rigid parts as unskinned meshes of their node, in its
-/// local space; turned round where that node mirrors, as glTF wants them; clips. Parts and vertices without triangles
+/// local space, turned round where that node mirrors, as glTF wants them; clips. Parts and vertices without triangles
 /// are left out. Nodes keep their indices: node i of the file is nodes[i]. A path ending in `.gltf` gives JSON and a
 /// `.bin` beside it, any other one binary file (.glb).
 #pragma once
