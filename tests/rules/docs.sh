@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 # What the pages promise exists: links lead to files, commands to scripts, and every `lithe COMMAND --option` to an
-# option that the tool's own help lists. Environment: LITHE = the built tool; without it only files are checked.
+# option that the tool's own help lists; and the figures that the README quotes stand in docs/measurements.md.
+# Environment: LITHE = the built tool; without it only files are checked.
 source "$(dirname "${BASH_SOURCE[0]}")/rule.sh"
 
 pages() { sources_in "$1" '*.md'; }
@@ -39,8 +40,19 @@ check_tool() {
   { commands_of "$1/$page" | grep -E '(^|[ /])lithe [a-z]+ ' || true; } | while IFS= read -r line; do check_tool_line "$page" "$line"; done
 }
 
+# The figures below the README's heading Measured, those of one digit aside.
+check_figures() {
+  local figure
+  [ -f "$1/README.md" ] || return 0
+  { awk '/^#/ { inside = /^## Measured/; next } inside' "$1/README.md" | grep -oE '[0-9][0-9,.]*[0-9]' || true; } | sort -u |
+    while IFS= read -r figure; do
+      grep -qF -- "$figure" "$1/docs/measurements.md" || echo "README.md: the figure $figure is not in docs/measurements.md"
+    done
+}
+
 check() {
   local page
+  check_figures "$1"
   pages "$1" | while IFS= read -r page; do
     check_links "$1" "$page"
     check_scripts "$1" "$page"
@@ -51,6 +63,11 @@ check() {
 break_link() {
   echo 'See [the format](docs/format.md#pages).' | write "$1/README.md"
   expected="README.md: links to docs/format.md"
+}
+break_figure() {
+  printf '12.34 and 5\n' | write "$1/docs/measurements.md"
+  printf '# x\n## Measured\n12.34 s, 12.35 s\n## Else\n77\n' | write "$1/README.md"
+  expected="README.md: the figure 12.35 is not in docs/measurements.md"
 }
 break_script() {
   printf '```sh\ncd x && tests/rnu.sh # all\n```\n' | write "$1/README.md"
