@@ -40,11 +40,11 @@ TEST(Bytes, FloatsAreIeeeBits) {
 
 TEST(Bytes, StoresTouchOnlyTheirOwn) {
   for (uint32_t at = 0; at < 8; ++at) {
-    std::vector<uint8_t> bytes(20, 0xcc);
+    std::vector<uint8_t> bytes(24, 0xcc);
     storeU16(bytes.data() + at, 0x0102);
     storeU32(bytes.data() + at + 2, 0x03040506);
     storeU64(bytes.data() + at + 6, 0x0708090a0b0c0d0eu);
-    std::vector<uint8_t> expected(20, 0xcc);
+    std::vector<uint8_t> expected(24, 0xcc);
     const uint8_t written[] = {0x02, 0x01, 0x06, 0x05, 0x04, 0x03, 0x0e, 0x0d, 0x0c, 0x0b, 0x0a, 0x09, 0x08, 0x07};
     std::copy(std::begin(written), std::end(written), expected.begin() + at);
     EXPECT_EQ(bytes, expected) << at;
