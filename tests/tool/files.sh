@@ -35,6 +35,24 @@ printf '%b' "\\x$(printf %02x $((byte ^ 255)))" | dd of=flipped.lithe bs=1 seek=
 answers 1 "flipped.lithe: is damaged (page " verify flipped.lithe
 answers 1 "flipped.lithe: is damaged (page " export flipped.lithe -o out.glb --triangles 5000
 
+# A number that is none: the sentence names the file, the place and what to do. A triangle without area is no fault.
+triangle() { # triangle BASE64: a .gltf of one triangle, nine floats
+  cat <<END
+{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "data:;base64,$1"}]}
+END
+}
+triangle AAAAAAAAAAAAAAAAAADAfwAAAAAAAAAAAAAAAAAAgD8AAAAA >nan.gltf
+answers 1 "nan.gltf: mesh 0, primitive 0, POSITION: a value of vertex 1 is not a finite number; re-export the file" bake nan.gltf -o out.lithe
+triangle AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA >flat.gltf
+answers 0 "" bake flat.gltf -o flat.lithe --quiet
+answers 0 "1" export flat.lithe -o flat.glb --triangles 1
+triangle AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAQAAAAAAAAAAA >thin.gltf
+answers 0 "" bake thin.gltf -o thin.lithe --quiet
+answers 0 "all checks passed" verify thin.lithe
+rm nan.gltf flat.* thin.*
+
 # Things that the file does not have.
 answers 1 "has no level 99" export "$characters/column.lithe" -o out.glb --level 99
 answers 1 "dance" bake "$characters/small.glb" -o out.lithe --clips dance

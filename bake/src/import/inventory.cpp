@@ -12,9 +12,13 @@ bool has(const tinygltf::Primitive& primitive, const std::string& attribute) {
   return primitive.attributes.count(attribute) != 0;
 }
 
-bool isTriangles(const tinygltf::Primitive& primitive) {
-  return primitive.mode >= TINYGLTF_MODE_TRIANGLES && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN &&
-         has(primitive, "POSITION");
+/// Why a primitive has no triangles to read; empty if it may have some.
+std::string reasonToLeaveOut(const tinygltf::Primitive& primitive) {
+  if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+    return "its mode " + std::to_string(primitive.mode) + " is not glTF's, and it is left out";
+  }
+  if (primitive.mode < TINYGLTF_MODE_TRIANGLES) return "it is made of points or lines, and is left out";
+  return has(primitive, "POSITION") ? "" : "it has no positions, and is left out";
 }
 
 void checkReferences(const GltfFile& file, uint32_t node) {
@@ -33,8 +37,12 @@ void listUses(const GltfFile& file, uint32_t node, std::vector<PrimitiveUse>& us
   const uint32_t mesh = static_cast<uint32_t>(file.document.nodes[node].mesh);
   const auto& primitives = file.document.meshes[mesh].primitives;
   for (uint32_t i = 0; i < primitives.size(); ++i) {
-    if (!isTriangles(primitives[i])) continue;
     PrimitiveUse use{node, mesh, i, file.document.nodes[node].skin >= 0};
+    const std::string reason = reasonToLeaveOut(primitives[i]);
+    if (!reason.empty()) {
+      warnings.push_back(primitivePlace(file, use) + ": " + reason);
+      continue;
+    }
     if (use.skinned && !(has(primitives[i], "JOINTS_0") && has(primitives[i], "WEIGHTS_0"))) {
       warnings.push_back(primitivePlace(file, use) + ": it has a skin but no weights, and is bound to its node");
       use.skinned = false;

@@ -11,8 +11,9 @@
 /// Repaired with a warning: weights that do not sum to one or are negative, vertices without weights (bound to the
 /// skin's first joint), influences beyond eight or of joints the skin lacks, missing or invalid normals (area-weighted
 /// over all triangles around a position), keys out of order, sheared node matrices (the shear is dropped). Dropped with
-/// a warning: morph targets, uv sets beyond kMaxUvSets, colour sets beyond kMaxColorSets, empty primitives. Dropped
-/// silently: points and lines, cameras, lights, channels of nodes that move no vertex, vertices no triangle uses.
+/// a warning: morph targets, uv sets beyond kMaxUvSets, colour sets beyond kMaxColorSets, primitives without
+/// triangles (empty ones, points, lines). Dropped silently: cameras, lights, channels of nodes that move no vertex,
+/// vertices no triangle uses.
 #pragma once
 
 #include <filesystem>

@@ -76,12 +76,17 @@ TEST(ImportGeometry, ResolvesStripsFansAndMissingIndices) {
 
 TEST(ImportGeometry, LeavesPointsAndLinesOut) {
   Ribbon ribbon;
-  for (const int mode : {0, 1, 3}) {
+  for (const int mode : {0, 1, 3, 7}) {
     nlohmann::json other = ribbon.primitive();
     other["mode"] = mode;
     ribbon.json["meshes"][0]["primitives"].push_back(other);
   }
-  EXPECT_EQ(importBuilt(ribbon).parts.size(), 1u);
+  const Model model = importBuilt(ribbon);
+  EXPECT_EQ(model.parts.size(), 1u);
+  for (const char* place : {"primitive 1", "primitive 2", "primitive 3"}) {
+    EXPECT_TRUE(warned(model, std::string("mesh 0 'ribbon', ") + place + ": it is made of points or lines")) << place;
+  }
+  EXPECT_TRUE(warned(model, "primitive 4: its mode 7 is not glTF's"));
 }
 
 TEST(ImportGeometry, ReadsInterleavedArrays) {
