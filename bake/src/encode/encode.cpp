@@ -128,6 +128,7 @@ class FileEncoder {
   }
 
   void fillReport(EncodeReport& report, uint64_t head_bytes, uint64_t file_bytes) const {
+    report = {};
     report.head_bytes = head_bytes;
     report.file_bytes = file_bytes;
     uint64_t end = head_bytes;

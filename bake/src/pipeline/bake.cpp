@@ -129,6 +129,7 @@ std::vector<uint8_t> bake(const Model& model, const BakeOptions& options, BakeRe
   checkOptions(options);
   BakeReport unused;
   BakeReport& out = report ? *report : unused;
+  out = {};
   out.warnings = model.warnings;
   return Pipeline(model, options, out).run();
 }

@@ -65,6 +65,7 @@ struct BakeReport {
 };
 
 /// Bakes a model. Same model and options, same bytes.
+/// @param report  filled anew; may be null
 /// @throws Error for options out of their ranges and for what the stages throw
 std::vector<uint8_t> bake(const Model& model, const BakeOptions& options, BakeReport* report);
 

@@ -53,6 +53,7 @@ struct EncodeReport {
 /// What a stream of a page is counted as in EncodeReport::kinds: "base", "splits", "connectivity", "skin", "uvs", ...
 const char* streamKind(format::PageKind page, uint32_t stream);
 
+/// @param report  filled anew; may be null
 /// Throws Error when the model is beyond the format's limits.
 std::vector<uint8_t> encodeFile(const EncodeInput& input, EncodeReport* report);
 

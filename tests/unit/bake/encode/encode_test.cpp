@@ -171,6 +171,14 @@ TEST(Encode, TheReportIsOptional) {
   EXPECT_EQ(encodeFile({e.model, e.mesh, e.hierarchy, e.levels, 4, 1.0, 8192, 2048}, nullptr), e.bytes);
 }
 
+TEST(Encode, AReportUsedAgainIsFilledAnew) {
+  Encoded e({60, 20, 0}, 15, 4);
+  EncodeReport report = e.report;
+  encodeFile({e.model, e.mesh, e.hierarchy, e.levels, 4, 1.0, 15, 4}, &report);
+  EXPECT_EQ(report.levels.size(), e.levels.size());
+  EXPECT_EQ(sumOf(report.kinds), report.file_bytes);
+}
+
 TEST(Encode, EveryStreamIsCountedAsSomeKind) {
   for (uint32_t stream = 0; stream < format::kBaseStreamCount; ++stream)
     EXPECT_STREQ(streamKind(format::kBasePage, stream), "base");

@@ -138,6 +138,17 @@ TEST(Bake, TheReportIsThatOfTheFile) {
   lithe_asset_close(asset);
 }
 
+TEST(Bake, AReportUsedAgainIsFilledAnew) {
+  const Model model = test::tube(6, 8);
+  BakeReport report;
+  bake(model, quick(), &report);
+  const size_t levels = report.levels.size(), stages = report.stages.size(), warnings = report.warnings.size();
+  bake(model, quick(), &report);
+  EXPECT_EQ(report.levels.size(), levels);
+  EXPECT_EQ(report.stages.size(), stages);
+  EXPECT_EQ(report.warnings.size(), warnings);
+}
+
 TEST(Bake, TheSmallestShareIsWhereItEnds) {
   const Model model = test::tube(12, 40);
   BakeOptions options = quick();
