@@ -29,10 +29,15 @@ inline const FileBytes& patchFile() {
   return bytes;
 }
 
-/// Another file with the same tables' shapes: what is not torusFile()'s is only known by hashes.
-inline const FileBytes& otherTorusFile() {
-  FileShape shape;
-  shape.seed = 2;
+inline const FileBytes& tinyFile() {
+  static const FileBytes bytes = encodeSmallFile(tinyShape());
+  return bytes;
+}
+
+/// A file like tinyFile() with another mesh.
+inline const FileBytes& otherTinyFile() {
+  FileShape shape = tinyShape();
+  shape.seed = 6;
   static const FileBytes bytes = encodeSmallFile(shape);
   return bytes;
 }

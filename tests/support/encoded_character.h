@@ -63,6 +63,20 @@ inline FileShape richShape() {
   return shape;
 }
 
+/// The smallest file with several levels and pages, for tests that break every byte of it.
+inline FileShape tinyShape() {
+  FileShape shape;
+  shape.character.columns = 5;
+  shape.character.rows = 4;
+  shape.character.joints = 2;
+  shape.character.max_influences = 2;
+  shape.seed = 5;
+  shape.nodes_left = 6;
+  shape.page_splits = 4;
+  shape.shared_page_splits = 3;
+  return shape;
+}
+
 /// Open and closed rings only, as far as random collapses leave any.
 inline FileShape patchShape() {
   FileShape shape;
