@@ -16,8 +16,9 @@
 #endif
 
 // Compiles a kernel twice, with and without AVX2, chosen when the program starts; contraction is off, so the bits
-// agree.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// agree. clang refuses to return Lanes from what the clones inline.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define LITHE_KERNEL __attribute__((target_clones("avx2", "default")))
 #else
 #define LITHE_KERNEL
