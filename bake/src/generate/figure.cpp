@@ -54,9 +54,11 @@ Model generateFigure() {
   Model model;
   for (const char* name : {"skin", "hair", "shorts", "eyes"}) addPart(model, name, name);
   figure::addSkeleton(model);
-  const ClosedMesh mesh = polygonise(figure::makeFlesh(), figure::latticeOptions());
+  const implicit::Solid flesh = figure::makeFlesh();
+  ClosedMesh mesh = polygonise(flesh, figure::latticeOptions());
+  const std::vector<figure::PartIndex> parts = figure::dress(flesh, mesh);
   SurfaceBuilder surface(figure::kPartCount);
-  figure::addBody(surface, mesh, figure::bindToSkeleton(model, mesh));
+  figure::addBody(surface, mesh, parts, figure::bindToSkeleton(model, mesh));
   figure::addEyeballs(surface);
   surface.finish(model);
   model.clips = figure::makeClips(model);

@@ -82,8 +82,12 @@ struct Binding {
 };
 Binding bindToSkeleton(const Model& model, const ClosedMesh& mesh);
 
-/// Cuts the body into charts and adds it, a wedge to every vertex and chart.
-void addBody(SurfaceBuilder& surface, const ClosedMesh& mesh, const Binding& binding);
+/// Cuts the body along the edges of what it wears. Returns the part of every triangle.
+std::vector<PartIndex> dress(const implicit::Solid& flesh, ClosedMesh& mesh);
+
+/// Cuts the body into charts and adds it, a wedge to every vertex, part and chart.
+void addBody(SurfaceBuilder& surface, const ClosedMesh& mesh, const std::vector<PartIndex>& parts,
+             const Binding& binding);
 void addEyeballs(SurfaceBuilder& surface);
 
 std::vector<Clip> makeClips(const Model& model);

@@ -123,30 +123,22 @@ ChartPoint chartPoint(Region region, const dvec3& p) {
   }
 }
 
-/// Softened copies of what the surface says, so that charts have simple borders.
-struct SmoothFields {
-  std::vector<dvec3> normal;
-  std::vector<double> hair;  ///< 1 where the hair cap is on top
-};
-
-SmoothFields smoothFields(const ClosedMesh& mesh, uint32_t rounds) {
+/// Softened copies of the normals, so that charts have simple borders.
+std::vector<dvec3> smoothNormals(const ClosedMesh& mesh, uint32_t rounds) {
   const uint32_t count = static_cast<uint32_t>(mesh.positions.size());
   const Neighbours neighbours = neighboursOf(count, mesh.triangles);
-  SmoothFields fields{mesh.normals, {}};
-  for (uint16_t label : mesh.labels) fields.hair.push_back(label == kHairCap ? 1.0 : 0.0);
+  std::vector<dvec3> normals = mesh.normals;
   for (uint32_t round = 0; round < rounds; ++round) {
-    const SmoothFields before = fields;
+    const std::vector<dvec3> before = normals;
     for (uint32_t v = 0; v < count; ++v) {
       const double share = 1.0 / (neighbours.first[v + 1] - neighbours.first[v] + 1);
-      fields.normal[v] *= share;
-      fields.hair[v] *= share;
+      normals[v] *= share;
       for (uint32_t i = neighbours.first[v]; i < neighbours.first[v + 1]; ++i) {
-        fields.normal[v] += share * before.normal[neighbours.list[i]];
-        fields.hair[v] += share * before.hair[neighbours.list[i]];
+        normals[v] += share * before[neighbours.list[i]];
       }
     }
   }
-  return fields;
+  return normals;
 }
 
 /// Which limb a joint belongs to, before it is told front from back.
@@ -164,12 +156,12 @@ Region limbOf(uint32_t joint) {
 class Tailor {
  public:
   Tailor(SurfaceBuilder& surface, const ClosedMesh& mesh, const Binding& binding)
-      : surface_(surface), mesh_(mesh), binding_(binding), fields_(smoothFields(mesh, 6)) {}
+      : surface_(surface), mesh_(mesh), binding_(binding), normals_(smoothNormals(mesh, 6)) {}
 
-  void run() {
+  void run(const std::vector<PartIndex>& parts) {
     for (const auto& triangle : mesh_.triangles) corners_.push_back(unroll(triangle));
     packAll();
-    for (size_t t = 0; t < mesh_.triangles.size(); ++t) sew(mesh_.triangles[t], corners_[t]);
+    for (size_t t = 0; t < mesh_.triangles.size(); ++t) sew(parts[t], mesh_.triangles[t], corners_[t]);
   }
 
  private:
@@ -183,7 +175,7 @@ class Tailor {
     std::array<Region, 3> votes;
     for (int k = 0; k < 3; ++k) votes[k] = limbOf(binding_.nearest_joint[triangle[k]]);
     const Region limb = votes[1] == votes[2] ? votes[1] : votes[0];
-    const dvec3 normal = fields_.normal[triangle[0]] + fields_.normal[triangle[1]] + fields_.normal[triangle[2]];
+    const dvec3 normal = normals_[triangle[0]] + normals_[triangle[1]] + normals_[triangle[2]];
     switch (limb) {
       case kFace:
         return middle.z > -0.035 ? kFace : kSkull;
@@ -238,20 +230,7 @@ class Tailor {
     packing_ = packCharts(size, 0.004);
   }
 
-  PartIndex partOf(const std::array<uint32_t, 3>& triangle, uint32_t chart) const {
-    double hair = 0.0, y = 0.0;
-    for (uint32_t vertex : triangle) {
-      hair += fields_.hair[vertex] / 3.0;
-      y += mesh_.positions[vertex].y / 3.0;
-    }
-    if (hair > 0.5) return kHair;
-    const uint32_t region = chart / 2;
-    const bool covered = region == kFront || region == kBack || region == kLeg;
-    return covered && y > kHem && y < kWaistband ? kShorts : kSkin;
-  }
-
-  void sew(const std::array<uint32_t, 3>& triangle, const Corners& corners) {
-    const PartIndex part = partOf(triangle, corners.chart);
+  void sew(PartIndex part, const std::array<uint32_t, 3>& triangle, const Corners& corners) {
     std::array<uint32_t, 3> wedges;
     for (int k = 0; k < 3; ++k) wedges[k] = wedge(part, triangle[k], corners, k);
     surface_.addTriangle(part, wedges);
@@ -271,7 +250,7 @@ class Tailor {
   SurfaceBuilder& surface_;
   const ClosedMesh& mesh_;
   const Binding& binding_;
-  const SmoothFields fields_;
+  const std::vector<dvec3> normals_;
   std::vector<Corners> corners_;
   std::vector<dvec2> low_;  ///< per chart, the low corner of its box in metres
   Packing packing_;
@@ -280,8 +259,9 @@ class Tailor {
 
 }  // namespace
 
-void addBody(SurfaceBuilder& surface, const ClosedMesh& mesh, const Binding& binding) {
-  Tailor(surface, mesh, binding).run();
+void addBody(SurfaceBuilder& surface, const ClosedMesh& mesh, const std::vector<PartIndex>& parts,
+             const Binding& binding) {
+  Tailor(surface, mesh, binding).run(parts);
 }
 
 }  // namespace lithe::bake::figure

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "lithe/bake/generate.h"
@@ -104,6 +105,62 @@ TEST_F(FigureTest, SeamsShareTheirPositionsWeights) {
   }
   EXPECT_GT(shared, 1000u);
   EXPECT_LT(shared, welded.size() / 15u);  // seams, not an unindexed mesh
+}
+
+/// Where skin or hair meets another part of the body, as edges between places.
+struct PartEdge {
+  uint32_t a, b;
+  uint32_t part, other;  ///< ascending
+};
+
+std::vector<PartEdge> partEdges(const Model& model) {
+  const std::vector<uint32_t> place = checks::weldByPosition(model);
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> part_of;  // directed edge -> part
+  for (uint32_t t = 0; t < model.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      part_of[{place[model.triangles[t][k]], place[model.triangles[t][(k + 1) % 3]]}] = model.triangle_part[t];
+    }
+  }
+  std::vector<PartEdge> edges;
+  for (const auto& [edge, part] : part_of) {
+    const auto back = part_of.find({edge.second, edge.first});
+    if (back != part_of.end() && part < back->second) edges.push_back({edge.first, edge.second, part, back->second});
+  }
+  return edges;
+}
+
+TEST_F(FigureTest, ShortsEndInStraightHems) {
+  uint32_t waistband = 0, hems = 0;
+  for (const PartEdge& edge : partEdges(figure())) {
+    if (edge.other != 2) continue;  // the shorts are the third part
+    for (const uint32_t vertex : {edge.a, edge.b}) {
+      const float y = figure().positions[vertex].y;
+      EXPECT_TRUE(std::abs(y - 0.985f) < 1e-6f || std::abs(y - 0.70f) < 1e-6f) << y;
+      ++(y > 0.8f ? waistband : hems);
+    }
+  }
+  EXPECT_GT(waistband, 150u);
+  EXPECT_GT(hems, 150u);
+}
+
+TEST_F(FigureTest, EdgesOfPartsAreLinesNotTeeth) {
+  std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> next;  // (parts, place) -> places along the edge
+  for (const PartEdge& edge : partEdges(figure())) {
+    next[{edge.other, edge.a}].push_back(edge.b);
+    next[{edge.other, edge.b}].push_back(edge.a);
+  }
+  size_t corners = 0, sharp = 0;
+  for (const auto& [key, ends] : next) {
+    EXPECT_EQ(ends.size(), 2u) << "the edge branches at " << key.second;
+    if (ends.size() != 2) continue;
+    const glm::dvec3 here(figure().positions[key.second]);
+    const glm::dvec3 in = here - glm::dvec3(figure().positions[ends[0]]);
+    const glm::dvec3 out = glm::dvec3(figure().positions[ends[1]]) - here;
+    ++corners;
+    sharp += glm::dot(in, out) < 0.5 * glm::length(in) * glm::length(out);  // turns by more than 60 degrees
+  }
+  EXPECT_GT(corners, 600u);
+  EXPECT_LT(static_cast<double>(sharp), 0.01 * static_cast<double>(corners)) << sharp << " of " << corners;
 }
 
 TEST_F(FigureTest, ChartsDoNotTurnInsideOutInOneHalfOfTheBody) {
