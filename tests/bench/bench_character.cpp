@@ -66,9 +66,11 @@ Character bakeCharacter(const std::string& name_or_path) {
   return character;
 }
 
-AssetHandle openAsset(const std::vector<uint8_t>& bytes) {
+AssetHandle openAsset(const std::vector<uint8_t>& bytes, const lithe_allocator* allocator) {
   lithe_asset* asset = nullptr;
-  require(lithe_asset_open(test::mallocAllocator(), bytes.data(), bytes.size(), nullptr, &asset), "opening");
+  require(
+      lithe_asset_open(allocator ? allocator : test::mallocAllocator(), bytes.data(), bytes.size(), nullptr, &asset),
+      "opening");
   return AssetHandle(asset);
 }
 

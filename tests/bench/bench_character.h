@@ -31,8 +31,9 @@ struct CloseAsset {
 };
 using AssetHandle = std::unique_ptr<lithe_asset, CloseAsset>;
 
-/// Opens a file without supplying a page. @throws bake::Error naming the result
-AssetHandle openAsset(const std::vector<uint8_t>& bytes);
+/// Opens a file without supplying a page. allocator: malloc where there is none; it must outlive the asset.
+/// @throws bake::Error naming the result
+AssetHandle openAsset(const std::vector<uint8_t>& bytes, const lithe_allocator* allocator = nullptr);
 
 /// Supplies every page, coarse to fine. @throws bake::Error naming the page
 void supplyAll(lithe_asset& asset, const std::vector<uint8_t>& bytes);

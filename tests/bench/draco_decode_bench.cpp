@@ -3,12 +3,10 @@
 // The runtime's Draco reader against libdraco's, on the same clouds, one thread. Columns are shaped like a page's:
 // flags, ranks, residuals. Run with --benchmark_repetitions=9 --benchmark_report_aggregates_only and compare medians.
 #include <benchmark/benchmark.h>
-#include <draco/compression/decode.h>
-#include <draco/point_cloud/point_cloud.h>
 
 #include <cstdlib>
 
-#include "draco_cloud.h"
+#include "cloud_set.h"
 #include "encode/draco_cloud.h"
 #include "random_columns.h"
 
@@ -52,12 +50,6 @@ CloudColumns splitColumns(uint32_t records) {
   return cloud;
 }
 
-size_t valuesIn(const CloudColumns& cloud) {
-  size_t count = 0;
-  for (const CloudColumn& column : cloud.columns) count += column.values.size();
-  return count;
-}
-
 /// The same columns as a page has them: each in a cloud of its own.
 std::vector<CloudColumns> oneCloudEach(const CloudColumns& cloud) {
   std::vector<CloudColumns> clouds;
@@ -65,62 +57,14 @@ std::vector<CloudColumns> oneCloudEach(const CloudColumns& cloud) {
   return clouds;
 }
 
-/// Clouds that are ready to be decoded again and again.
-struct Prepared {
-  std::vector<std::vector<uint8_t>> bytes;
-  std::vector<std::vector<runtime::ColumnSpec>> specs;
-  std::vector<std::vector<int32_t>> values;
-  std::vector<std::vector<int32_t*>> outs;
-  std::vector<runtime::CloudJob> jobs;
-  std::vector<uint64_t> scratch_memory;
-  size_t value_count = 0;
-
-  explicit Prepared(const std::vector<CloudColumns>& clouds) {
-    uint32_t most_records = 0;
-    for (const CloudColumns& cloud : clouds) {
-      bytes.push_back(bake::encodeCloud(cloud));
-      specs.emplace_back();
-      outs.emplace_back();
-      for (const CloudColumn& column : cloud.columns) {
-        specs.back().push_back({static_cast<uint8_t>(column.components),
-                                column.is_unsigned ? runtime::ColumnKind::kUnsigned : runtime::ColumnKind::kSigned});
-        values.emplace_back(column.values.size());
-        outs.back().push_back(values.back().data());
-      }
-      value_count += valuesIn(cloud);
-      most_records = std::max(most_records, cloud.records);
-    }
-    for (size_t i = 0; i < clouds.size(); ++i) {
-      jobs.push_back({bytes[i].data(), bytes[i].size(), clouds[i].records, specs[i].data(),
-                      static_cast<uint32_t>(specs[i].size()), outs[i].data()});
-    }
-    scratch_memory.resize(runtime::decodeScratchSize(most_records) / 8 + 1);
-  }
-
-  size_t byteCount() const {
-    size_t count = 0;
-    for (const auto& cloud : bytes) count += cloud.size();
-    return count;
-  }
-
-  bool decodeWithLithe() {
-    const runtime::DecodeScratch scratch = {scratch_memory.data(), scratch_memory.size() * 8};
-    return runtime::decodeClouds(jobs.data(), static_cast<uint32_t>(jobs.size()), scratch, nullptr) ==
-           runtime::CloudResult::kOk;
-  }
-
-  bool decodeWithDraco() {
-    for (const auto& cloud : bytes) {
-      draco::DecoderBuffer buffer;
-      buffer.Init(reinterpret_cast<const char*>(cloud.data()), cloud.size());
-      draco::Decoder decoder;
-      auto decoded = decoder.DecodePointCloudFromBuffer(&buffer);
-      if (!decoded.ok()) return false;
-      benchmark::DoNotOptimize(decoded.value()->attribute(0)->buffer()->data());
-    }
-    return true;
-  }
-};
+void addCloud(const CloudColumns& cloud, bench::CloudSet& clouds) {
+  const std::vector<uint8_t> bytes = bake::encodeCloud(cloud);
+  std::vector<runtime::ColumnSpec> columns;
+  for (const CloudColumn& column : cloud.columns)
+    columns.push_back({static_cast<uint8_t>(column.components),
+                       column.is_unsigned ? runtime::ColumnKind::kUnsigned : runtime::ColumnKind::kSigned});
+  clouds.add(bytes.data(), bytes.size(), cloud.records, columns);
+}
 
 enum Reader { kLithe, kDraco };
 enum Layout { kOneCloud, kCloudPerColumn };
@@ -128,16 +72,18 @@ enum Layout { kOneCloud, kCloudPerColumn };
 void decodeSplits(benchmark::State& state, Reader reader, Layout layout) {
   const uint32_t records = static_cast<uint32_t>(state.range(0));
   const CloudColumns cloud = splitColumns(records);
-  Prepared prepared(layout == kOneCloud ? std::vector<CloudColumns>{cloud} : oneCloudEach(cloud));
+  bench::CloudSet clouds;
+  for (const CloudColumns& one : layout == kOneCloud ? std::vector<CloudColumns>{cloud} : oneCloudEach(cloud))
+    addCloud(one, clouds);
   for (auto _ : state) {
-    if (!(reader == kLithe ? prepared.decodeWithLithe() : prepared.decodeWithDraco())) std::abort();
+    if (!(reader == kLithe ? clouds.decodeWithLithe() : clouds.decodeWithDraco())) std::abort();
     benchmark::ClobberMemory();
   }
   const double rounds = static_cast<double>(state.iterations());
   state.counters["values/s"] =
-      benchmark::Counter(rounds * static_cast<double>(prepared.value_count), benchmark::Counter::kIsRate);
+      benchmark::Counter(rounds * static_cast<double>(clouds.valueCount()), benchmark::Counter::kIsRate);
   state.counters["records/s"] = benchmark::Counter(rounds * records, benchmark::Counter::kIsRate);
-  state.counters["bytes"] = static_cast<double>(prepared.byteCount());
+  state.counters["bytes"] = static_cast<double>(clouds.byteCount());
 }
 
 #define LITHE_RECORDS Arg(256)->Arg(1024)->Arg(2048)->Arg(4096)
