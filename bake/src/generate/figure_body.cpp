@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 /// Flesh of trunk and legs, muscle by muscle; only the left of a pair is stated.
+#include <utility>
+
 #include "figure.h"
 
 namespace lithe::bake::figure {
@@ -31,8 +33,9 @@ void addBelly(Solid& solid) {
   solid.addPair(turned(ellipsoid({0.108, 1.045, 0.010}, {0.045, 0.085, 0.075}, 0.04), {0.10, 1, 0.1}, {0, 0, 1}));
   solid.addPair(roundCone({0.036, 1.215, 0.078}, 0.030, {0.030, 0.985, 0.070}, 0.030, 0.025));
   solid.cut(roundCone({0, 1.230, 0.121}, 0.004, {0, 1.075, 0.114}, 0.003, 0.022));
-  for (const double y : {1.195, 1.142, 1.088}) {
-    solid.cutPair(roundCone({0.008, y, 0.122}, 0.003, {0.058, y + 0.006, 0.103}, 0.002, 0.018));
+  // the upper ones lie farther out, where the ribs lift the surface: deeper they would be too narrow for the lattice
+  for (const auto& [y, z] : {std::pair(1.195, 0.128), std::pair(1.142, 0.123), std::pair(1.088, 0.122)}) {
+    solid.cutPair(roundCone({0.008, y, z}, 0.003, {0.058, y + 0.006, z - 0.019}, 0.002, 0.018));
   }
   solid.cut(ellipsoid({0, 1.050, 0.108}, {0.005, 0.008, 0.009}, 0.014));
 }
