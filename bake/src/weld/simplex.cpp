@@ -123,9 +123,14 @@ double objectiveValue(const WeightObjective& objective, const SimplexWeights& we
 }
 
 double naturalProximity(const WeightObjective& objective) {
-  double trace = 0.0;
-  for (uint32_t i = 0; i < objective.size; ++i) trace += objective.H[i][i];
-  return 1e-4 * trace / objective.size + 1e-30;
+  // Where nothing moves, the diagonal is rounding errors, of either sign or zero, and so is h: the proximity must still
+  // be positive, and large enough beside h for weights near 1 to be seen in a sum of h / proximity.
+  double diagonal = 0.0, linear = 0.0;
+  for (uint32_t i = 0; i < objective.size; ++i) {
+    diagonal += std::abs(objective.H[i][i]);
+    linear += std::abs(objective.h[i]);
+  }
+  return std::max(1e-4 * diagonal, 1e-9 * linear) / objective.size + 1e-30;
 }
 
 SimplexWeights minimizeOnSimplex(const WeightObjective& objective, const SimplexWeights& start, double proximity) {

@@ -33,7 +33,8 @@ SimplexWeights minimizeOnSimplex(const WeightObjective& objective, const Simplex
 SimplexWeights minimizeOnSimplexCapped(const WeightObjective& objective, const SimplexWeights& start, double proximity,
                                        uint32_t cap);
 
-/// A proximity that suits the objective: 1e-4 of its mean diagonal, never zero.
+/// A proximity that suits the objective: 1e-4 of its mean diagonal, or 1e-9 of its mean |h| where that is more (an
+/// objective of rounding errors); always positive.
 double naturalProximity(const WeightObjective& objective);
 
 }  // namespace lithe::bake

@@ -101,5 +101,31 @@ TEST(Simplex, CapIsHeldAndRefined) {
   }
 }
 
+// Where nothing moves in any pose the objective is nothing but rounding errors, of either sign or zero.
+TEST(Simplex, AnObjectiveOfRoundingErrorsStillHasWeights) {
+  for (double diagonal : {0.0, -1e-9, 1e-20})
+    for (double linear : {0.0, -2.12788771e-14, 1e-3})
+      for (uint32_t size : {1u, 3u}) {
+        WeightObjective objective;
+        objective.size = size;
+        for (uint32_t i = 0; i < size; ++i) {
+          objective.H[i][i] = diagonal;
+          objective.h[i] = linear * (1.0 - double(i));
+        }
+        const double proximity = naturalProximity(objective);
+        ASSERT_GT(proximity, 0.0);
+        const SimplexWeights start = {size == 1 ? 1.0 : 0.5, 0.25, 0.25};
+        for (uint32_t cap = 1; cap <= size; ++cap) {
+          const SimplexWeights weights = minimizeOnSimplexCapped(objective, start, proximity, cap);
+          double sum = 0.0;
+          for (uint32_t i = 0; i < size; ++i) {
+            EXPECT_GE(weights[i], 0.0);
+            sum += weights[i];
+          }
+          EXPECT_NEAR(sum, 1.0, 1e-6) << diagonal << " " << linear << " " << size << " " << cap;
+        }
+      }
+}
+
 }  // namespace
 }  // namespace lithe::bake
