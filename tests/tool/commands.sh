@@ -55,6 +55,20 @@ at_most "$(json out rms_mean)" 2e-4 || complain "2,000 triangles are $(json out 
 at_most 1e-6 "$(json out rms_mean)" || complain "2,000 triangles cannot be as good as the original"
 answers 1 "above the allowed 1e-07" compare "$characters/column.glb" "$characters/small.glb" --anim test --frames 1 --samples 500 --quiet --fail-above-rms 1e-7
 
+# Four triangles may end in none, from which nothing can be measured.
+cat >tiny.gltf <<'END'
+{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+               {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 24}],
+ "buffers": [{"byteLength": 72, "uri": "data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAACAAEAAAABAAMAAAADAAIAAQACAAMA"}]}
+END
+answers 0 "4 triangles" bake tiny.gltf -o tiny.lithe
+if grep -q inf out; then complain "bake reports infinite bits per triangle"; fi
+answers 0 "all checks passed" verify tiny.lithe --against tiny.gltf
+answers 0 '"measured"' verify tiny.lithe --against tiny.gltf --json
+
 # The same input and options give the same bytes, on any number of threads.
 answers 0 "" bake "$characters/small.glb" -o one.lithe --threads 1 --quiet
 answers 0 "" bake "$characters/small.glb" -o three.lithe --threads 3 --quiet

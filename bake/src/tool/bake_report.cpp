@@ -16,14 +16,18 @@ double ofDiagonal(const bake::BakeReport& report, double error) {
   return report.rest_diagonal > 0 ? error / report.rest_diagonal : 0;
 }
 
+/// "-" for a level that draws nothing.
+std::string bitsPerTriangle(const bake::BakedLevel& level) {
+  return level.triangles > 0 ? format("%.1f", 8.0 * static_cast<double>(level.bytes_end) / level.triangles) : "-";
+}
+
 std::string levelTable(const bake::BakeReport& report) {
   std::vector<std::vector<std::string>> rows{{"level", "triangles", "share", "vertices", "bytes so far",
                                               "bits/triangle", "error", "of diagonal", "error rms"}};
   for (size_t i = 0; i < report.levels.size(); ++i) {
     const bake::BakedLevel& level = report.levels[i];
     rows.push_back({std::to_string(i), grouped(level.triangles), format("%.1f %%", 100 * level.share),
-                    grouped(level.vertices), grouped(level.bytes_end),
-                    format("%.1f", 8.0 * static_cast<double>(level.bytes_end) / level.triangles),
+                    grouped(level.vertices), grouped(level.bytes_end), bitsPerTriangle(level),
                     format("%.3g", level.error), format("%.3f %%", 100 * ofDiagonal(report, level.error)),
                     format("%.3g", level.error_rms)});
   }

@@ -72,7 +72,8 @@ Json verifyLevels(const Asset& asset, const VerifyOptions& options, Progress& pr
   for (uint32_t level = 0; level < asset.info().level_count; ++level) {
     const lithe_level record = asset.level(level);
     Json json{{"triangles", record.triangle_count}, {"vertices", record.vertex_count}, {"error", record.error}};
-    if (original) json["measured"] = measure(asset, *original, level);
+    // A tiny character may end in nothing at all, from which there is no distance.
+    if (original && record.triangle_count > 0) json["measured"] = measure(asset, *original, level);
     levels.push_back(std::move(json));
     progress.report("measure", (level + 1.0) / asset.info().level_count);
   }
@@ -82,12 +83,12 @@ Json verifyLevels(const Asset& asset, const VerifyOptions& options, Progress& pr
 std::string text(const Json& json) {
   std::vector<std::vector<std::string>> rows{{"level", "triangles", "vertices", "stated error"}};
   const Json& levels = json["levels"];
-  const bool measured = levels[0].contains("measured");
+  const bool measured = levels.back().contains("measured");
   if (measured) rows[0].insert(rows[0].end(), {"measured rms", "measured max"});
   for (size_t i = 0; i < levels.size(); ++i) {
     rows.push_back({std::to_string(i), grouped(levels[i]["triangles"]), grouped(levels[i]["vertices"]),
                     format("%.4g", levels[i]["error"].get<double>())});
-    if (!measured) continue;
+    if (!levels[i].contains("measured")) continue;
     rows.back().push_back(format("%.4g", levels[i]["measured"]["rms"].get<double>()));
     rows.back().push_back(format("%.4g", levels[i]["measured"]["max"].get<double>()));
   }
