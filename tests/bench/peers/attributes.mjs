@@ -47,28 +47,54 @@ export function capped(influences, most) {
   return kept.map(([joint, weight]) => [joint, weight / sum]);
 }
 
-// Skins for moved vertices: interpolated at the nearest point of the original triangles, which are ruled out by bounding spheres.
+// Skins for moved vertices: interpolated at the nearest point of the original triangles. Those are sorted along the longest axis and
+// looked at outwards from the point, ruled out by bounding spheres; of equally near ones the first in the file counts.
 export class SurfaceSkins {
   constructor(positions, indices, skins) {
     Object.assign(this, { positions, indices, skins });
-    const count = indices.length / 3;
-    this.spheres = new Float64Array(count * 4);
-    for (let t = 0; t < count; t++) {
-      const corners = this.corners(t), centre = [0, 1, 2].map((k) => (corners[0][k] + corners[1][k] + corners[2][k]) / 3);
-      this.spheres.set([...centre, Math.max(...corners.map((c) => Math.hypot(c[0] - centre[0], c[1] - centre[1], c[2] - centre[2])))], t * 4);
-    }
+    const spheres = Array.from({ length: indices.length / 3 }, (_, t) => this.sphere(t));
+    const extents = [0, 1, 2].map((k) => spheres.reduce((most, s) => Math.max(most, s[k]), -Infinity) - spheres.reduce((least, s) => Math.min(least, s[k]), Infinity));
+    this.axis = extents.indexOf(Math.max(...extents));
+    this.order = Uint32Array.from(spheres.keys()).sort((a, b) => spheres[a][this.axis] - spheres[b][this.axis] || a - b);
+    this.spheres = Float64Array.from([...this.order].flatMap((t) => spheres[t]));
+    this.largest = spheres.reduce((most, [, , , radius]) => Math.max(most, radius), 0);
   }
   corners(t) { return [0, 1, 2].map((k) => this.positions.subarray(this.indices[t * 3 + k] * 3, this.indices[t * 3 + k] * 3 + 3)); }
+  sphere(t) {
+    const corners = this.corners(t), centre = [0, 1, 2].map((k) => (corners[0][k] + corners[1][k] + corners[2][k]) / 3);
+    return [...centre, Math.max(...corners.map((c) => Math.hypot(c[0] - centre[0], c[1] - centre[1], c[2] - centre[2])))];
+  }
+
+  // The first place in the order that is not before the point.
+  placeOf(point) {
+    let low = 0, high = this.order.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.spheres[middle * 4 + this.axis] < point[this.axis]) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  nearest(point) {
+    const start = this.placeOf(point), s = this.spheres;
+    let best = { distance: Infinity, t: Infinity };
+    const isBeyond = (i) => i < 0 || i >= this.order.length || Math.abs(s[i * 4 + this.axis] - point[this.axis]) > best.distance + this.largest;
+    const look = (i) => {
+      const reach = best.distance + s[i * 4 + 3], x = s[i * 4] - point[0], y = s[i * 4 + 1] - point[1], z = s[i * 4 + 2] - point[2];
+      if (x * x + y * y + z * z > reach * reach) return;
+      const t = this.order[i], found = nearestOnTriangle(point, this.corners(t));
+      if (found.distance < best.distance || (found.distance === best.distance && t < best.t)) best = { ...found, t };
+    };
+    for (let up = start, down = start - 1; !isBeyond(up) || !isBeyond(down); up++, down--) {
+      if (!isBeyond(up)) look(up);
+      if (!isBeyond(down)) look(down);
+    }
+    return best;
+  }
 
   at(point) {
-    let best = { distance: Infinity };
-    for (let t = 0, s = this.spheres; t * 4 < s.length; t++) {
-      const reach = best.distance + s[t * 4 + 3], x = s[t * 4] - point[0], y = s[t * 4 + 1] - point[1], z = s[t * 4 + 2] - point[2];
-      if (x * x + y * y + z * z >= reach * reach) continue;
-      const found = nearestOnTriangle(point, this.corners(t));
-      if (found.distance < best.distance) best = { ...found, t };
-    }
-    const mixed = new Map();
+    const best = this.nearest(point), mixed = new Map();
     best.weights.forEach((share, k) => {
       for (const [joint, weight] of this.skins[this.indices[best.t * 3 + k]]) mixed.set(joint, (mixed.get(joint) ?? 0) + share * weight);
     });
