@@ -51,10 +51,15 @@ answers 0 "1" export flat.lithe -o flat.glb --triangles 1
 triangle AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAQAAAAAAAAAAA >thin.gltf
 answers 0 "" bake thin.gltf -o thin.lithe --quiet
 answers 0 "all checks passed" verify thin.lithe
-rm nan.gltf flat.* thin.*
+sed 's/"mesh": 0}]/"mesh": 0, "scale": [0, 0, 0]}]/' flat.gltf >point.gltf
+answers 1 "point.gltf: every pose shrinks it to a point" bake point.gltf -o out.lithe
+sed 's/"mesh": 0}]/"mesh": 0, "translation": [1e300, 0, 0]}]/' flat.gltf >far.gltf
+answers 1 "far.gltf: vertices are farther than 1e15 units away" bake far.gltf -o out.lithe
+rm nan.gltf flat.* thin.* point.gltf far.gltf
 
 # Things that the file does not have.
 answers 1 "has no level 99" export "$characters/column.lithe" -o out.glb --level 99
+answers 1 "small.glb: " bake "$characters/small.glb" -o out.lithe --clips dance
 answers 1 "dance" bake "$characters/small.glb" -o out.lithe --clips dance
 answers 1 "dance" compare "$characters/small.glb" "$characters/small.glb" --anim dance
 

@@ -9,6 +9,7 @@
 #include "directions.h"
 #include "geometry.h"
 #include "inventory.h"
+#include "range.h"
 #include "scene.h"
 #include "skeleton.h"
 #include "winding.h"
@@ -29,6 +30,7 @@ Model readModel(const std::filesystem::path& path) {
   unifyBindSpace(draft, tree);
   const std::vector<uint32_t> node_index = buildSkeleton(draft, tree, file);
   draft.model.clips = readClips(file, node_index, warnings);
+  requireRange(file.name, draft.model);
   warnings.insert(warnings.end(), draft.model.warnings.begin(), draft.model.warnings.end());
   draft.model.warnings = std::move(warnings);
   return std::move(draft.model);

@@ -38,6 +38,23 @@ void requireReadable(const std::vector<uint8_t>& bytes, const std::string& name,
   }
 }
 
+/// The stages know no file names; a pose file's complaint has its own.
+std::vector<uint8_t> bakeModel(const bake::Model& model, const BakeArguments& arguments, bake::BakeReport& report) {
+  try {
+    return bake::bake(model, arguments.options, &report);
+  } catch (const bake::Error& error) {
+    const std::string what = error.what();
+    const bool named = !arguments.pose_file.empty() && what.rfind(arguments.pose_file, 0) == 0;
+    throw bake::Error(named ? what : arguments.input + ": " + what);
+  }
+}
+
+/// A file without a size would be refused by every reader.
+void requireSize(const bake::BakeReport& report, const std::string& input) {
+  if (report.posed_diagonal > 0) return;
+  throw bake::Error(input + ": every pose shrinks it to a point; choose --clips in which it is to be seen");
+}
+
 ExitCode bakeFile(BakeArguments arguments) {
   const bool json_file = !arguments.json.empty() && arguments.json != "-";
   bake::requireWritable(arguments.output);
@@ -48,7 +65,8 @@ ExitCode bakeFile(BakeArguments arguments) {
   arguments.options.poses.file = arguments.pose_file;
   arguments.options.progress = [&](const char* stage, double fraction) { progress.report(stage, fraction); };
   bake::BakeReport report;
-  const std::vector<uint8_t> bytes = bake::bake(model, arguments.options, &report);
+  const std::vector<uint8_t> bytes = bakeModel(model, arguments, report);
+  requireSize(report, arguments.input);
   requireReadable(bytes, arguments.output, progress);
   progress.finish();
 

@@ -144,6 +144,44 @@ TEST(ImportHostile, NumbersThatAreNone) {
   });
 }
 
+TEST(ImportHostile, NumbersBeyondAllMeasure) {
+  const auto clip = [](std::vector<float> values, const char* path, const char* interpolation = "LINEAR") {
+    return [=](Ribbon& r) {
+      const int times = r.accessor<float>("SCALAR", {0, 1}), output = r.accessor("VEC3", values);
+      r.add("animations", {{"samplers", {{{"input", times}, {"output", output}, {"interpolation", interpolation}}}},
+                           {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}}});
+    };
+  };
+  std::vector<float> binds{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  binds.insert(binds.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1e30f, 0, 0, 1});
+  expectComplaints({
+      {"vertices are farther than 1e15 units away",
+       [](Ribbon& r) {
+         r.primitive()["attributes"]["POSITION"] = r.accessor<float>("VEC3", {0, 0, 0, 0, 1, 0, 1e38f, 0, 0, 2, 1, 0});
+       }},
+      {"node 'a': its transforms",
+       [](Ribbon& r) {
+         r.json["nodes"][0]["scale"] = {1e300, 1e300, 1e300};
+       }},
+      {"node 'a': its transforms",
+       [](Ribbon& r) {
+         r.json["nodes"][0]["translation"] = {0, 1e300, 0};
+       }},
+      {"node 'b': its transforms",
+       [](Ribbon& r) {  // neither is too large alone
+         r.json["nodes"][0]["scale"] = {1, 1e10, 1};
+         r.json["nodes"][1]["translation"] = {1e10, 0, 0};
+       }},
+      {"node 'b': its transforms",
+       [&](Ribbon& r) { r.json["skins"][0]["inverseBindMatrices"] = r.accessor<float>("MAT4", binds); }},
+      {"node 'a': its transforms", clip({0, 0, 0, 0, 1e20f, 0}, "translation")},
+      {"node 'a': its transforms", clip({1, 1, 1, 1, 1e20f, 1}, "scale")},
+      {"node 'a': its transforms",
+       clip({0, 0, 0, 0, 0, 0, 0, 0, 1e20f, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "translation", "CUBICSPLINE")},
+      {"nothing", clip({0, 0, 0, 0, 1e12f, 0}, "translation")},
+  });
+}
+
 TEST(ImportHostile, NodesThatAreNoTree) {
   expectComplaints({
       {"it is its own ancestor", [](Ribbon& r) { r.json["nodes"][1]["children"] = {0}; }},
