@@ -26,7 +26,7 @@ row() {
 # judge WHAT VALUE LIMIT [UNIT]: passes when VALUE is a number and at most LIMIT; what is shown is rounded, what is judged is not
 judge() { row "$1" "$(shown "$2")${4:+ $4}" "$3${4:+ $4}" "$(awk -v value="$2" -v limit="$3" 'BEGIN { print value ~ /^[0-9.]+$/ && value + 0 <= limit + 0 ? "pass" : "FAIL" }')"; }
 report() { row "$1" "$(shown "$2")${3:+ $3}" "" reported; }
-shown() { awk -v value="$1" 'BEGIN { if (value !~ /^[0-9.]+$/) print "nothing"; else print value == int(value) ? value : sprintf("%.4g", value) }'; }
+shown() { awk -v value="$1" 'BEGIN { if (value !~ /^[0-9.]+$/) print "nothing"; else printf "%.5g", value }'; }
 skip() { row "$1" "" "$2" skipped; }
 
 # json FILE KEY...: one value
@@ -116,7 +116,7 @@ measure_exports() {
     target=$(calculate "$total * 0.02" %.0f)
     got=$("$lithe" export "$scratch/any.lithe" -o "$scratch/any.glb" --triangles "$target" --json >"$scratch/export.json" &&
       json "$scratch/export.json" meshes 0 triangles)
-    off=$(awk -v got="$got" -v target="$target" 'BEGIN { off = got > target ? got - target : target - got; printf "%.3f", off > 1 ? 100 * (off - 1) / target : 0 }')
+    off=$(awk -v got="$got" -v target="$target" 'BEGIN { off = got > target ? got - target : target - got; printf "%.6f", (off > 1 ? 100 * (off - 1) / target : 0) }')
     if [ -z "$worst_name" ] || [ "$(calculate "$off > $worst" %d)" = 1 ]; then
       worst=$off worst_name="$(name_of "$file"), $got of $target"
     fi
