@@ -60,8 +60,11 @@ Collapser::Collapser(const Mesh& mesh, const std::vector<std::vector<glm::dmat4>
       placement_(edges_.count()),
       stamp_(edges_.count(), kNeverJudged),
       blocked_(edges_.count(), 0),
+      vertex_count_(mesh.vertexCount()),
       next_node_(mesh.vertexCount()),
       first_triangles_(surface_.triangleCount()) {
+  if (!options_.refit_at.empty() && metric_->allowsRefit())
+    refit_ = std::make_unique<Refit>(nodes_, surface_, options_);
   node_of_.resize(mesh.vertexCount());
   for (uint32_t slot = 0; slot < mesh.vertexCount(); ++slot) node_of_[slot] = slot;
 }
@@ -199,6 +202,9 @@ void Collapser::record(uint32_t edge, const Placement& placement, const Quantize
 
 void Collapser::moveNode(uint32_t a, uint32_t b, const Placement& placement, const QuantizedSkin& skin) {
   metric_->merge(a, b, placement, placer_.posed.data());
+  if (refit_)
+    refit_->merged(a, b, {nodes_.positions[a], nodes_.positions[b], nodes_.placement_shift, nodes_.grid_bits},
+                   placement.t8);
   nodes_.positions[a] = placement.position;
   nodes_.skins[a] = skin;
   std::copy(placer_.posed.begin(), placer_.posed.end(), nodes_.posed.at(a));
@@ -208,6 +214,19 @@ void Collapser::moveNode(uint32_t a, uint32_t b, const Placement& placement, con
   cutLooseEdges(a);
   surface_.classifyAround(a, nodes_.posed);
   refreshAround(a);
+}
+
+void Collapser::refit(std::vector<Collapse>& collapses) {
+  if (!refit_) return;
+  std::vector<uint32_t> moved;
+  refit_->run(nodes_, surface_, [&](uint32_t slot, const PosedPoint* from) {
+    metric_->moved(slot, from);
+    collapses[node_of_[slot] - vertex_count_].position = nodes_.positions[slot];
+    moved.push_back(slot);
+  });
+  for (uint32_t slot : moved) surface_.classifyAround(slot, nodes_.posed);
+  for (uint32_t slot : moved) refreshAround(slot);
+  judged_ = kNone;
 }
 
 /// b's edges become a's; of two edges to one node the cheaper stays.

@@ -11,6 +11,7 @@
 #include "edges.h"
 #include "fan.h"
 #include "metric.h"
+#include "refit.h"
 
 namespace lithe::bake {
 
@@ -23,6 +24,9 @@ class Collapser {
 
   /// Does the cheapest collapse; false when no edge is left.
   bool collapseNext(Collapse& collapse);
+
+  /// Moves the nodes made since the last refit closer to the original, here and in the collapses so far.
+  void refit(std::vector<Collapse>& collapses);
 
   uint32_t triangleCount() const { return surface_.triangleCount(); }
 
@@ -60,6 +64,7 @@ class Collapser {
   EdgeQueue queue_;
   std::unique_ptr<Metric> metric_;
   EdgePlacer placer_;
+  std::unique_ptr<Refit> refit_;  // none: nothing is refit
 
   std::vector<uint32_t> node_of_;     // per slot
   std::vector<uint32_t> version_;     // per slot: how often its triangles have changed
@@ -67,7 +72,7 @@ class Collapser {
   std::vector<Placement> placement_;  // per edge, as last judged
   std::vector<uint32_t> stamp_;       // per edge: the versions it was judged at
   std::vector<uint8_t> blocked_;      // per edge
-  uint32_t next_node_;
+  uint32_t vertex_count_, next_node_;
   uint32_t judged_ = kNone;  // the edge that placer_ holds the answer for
   uint32_t first_triangles_;
   bool coarse_ = false;   // below options.vanish_coarse

@@ -7,6 +7,7 @@
 
 #include "lithe/bake/simplex.h"
 #include "lithe/bake/skin_weights.h"
+#include "normal_equations.h"
 
 namespace lithe::bake {
 
@@ -14,21 +15,6 @@ namespace {
 
 constexpr double kStay = 1e-4;  // of the trace: holds the parent where the quadric says nothing
 constexpr uint32_t kMaxAlternations = 4;
-
-/// (H + kStay trace I)^-1 (-g), by cofactors in doubles.
-glm::dvec3 solveStep(const NormalEquations& n) {
-  const double stay = kStay * (double{n.xx} + n.yy + n.zz);
-  if (!(stay > 0.0)) return glm::dvec3(0.0);
-  const double xx = n.xx + stay, yy = n.yy + stay, zz = n.zz + stay, xy = n.xy, xz = n.xz, yz = n.yz;
-  const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
-  const double cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
-  const double determinant = xx * cxx + xy * cxy + xz * cxz;
-  if (!(determinant > 0.0)) return glm::dvec3(0.0);
-  const glm::dvec3 g(n.gx, n.gy, n.gz);
-  return -glm::dvec3(cxx * g.x + cxy * g.y + cxz * g.z, cxy * g.x + cyy * g.y + cyz * g.z,
-                     cxz * g.x + cyz * g.y + czz * g.z) /
-         determinant;
-}
 
 struct JointUnion {
   uint32_t size = 0;
@@ -60,7 +46,8 @@ double EdgePlacer::energyIn(const glm::dvec3& grid_point, const Affine* blend, u
 
 glm::dvec3 EdgePlacer::minimizer(const glm::dvec3& from, const Affine* blend, uint32_t a,
                                  const std::vector<PosedPoint>& at) const {
-  return from + solveStep(normalEquations(quadric.data(), blend, nodes_.posed.at(a), at.data(), nodes_.posed.blocks));
+  return from + solveNormalEquations(
+                    normalEquations(quadric.data(), blend, nodes_.posed.at(a), at.data(), nodes_.posed.blocks), kStay);
 }
 
 void EdgePlacer::poseBetween(uint32_t a, uint32_t b, const Placement& placement) {

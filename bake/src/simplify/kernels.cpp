@@ -60,6 +60,10 @@ LITHE_KERNEL void accumulate(const Quadric* qa, const Quadric* qb, const PosedPo
   }
 }
 
+LITHE_KERNEL void recenter(const PosedPoint* from, const PosedPoint* to, uint32_t blocks, Quadric* q) {
+  for (uint32_t block = 0; block < blocks; ++block) q[block] = shifted(q[block], to[block] - from[block]);
+}
+
 LITHE_KERNEL float energy(const Quadric* q, const PosedPoint* origin, const PosedPoint* point, uint32_t blocks) {
   Lanes sum{};
   for (uint32_t block = 0; block < blocks; ++block) sum += energyAt(q[block], point[block] - origin[block]);

@@ -49,6 +49,9 @@ void subtractFaces(std::span<const FanFace> fan, uint32_t blocks, Quadric* q);
 void accumulate(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b,
                 const PosedPoint* parent, uint32_t blocks, Quadric* result);
 
+/// A quadric about `from` becomes one about `to`.
+void recenter(const PosedPoint* from, const PosedPoint* to, uint32_t blocks, Quadric* q);
+
 /// The sum over the poses of the quadric at a point.
 float energy(const Quadric* q, const PosedPoint* origin, const PosedPoint* point, uint32_t blocks);
 

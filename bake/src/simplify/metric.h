@@ -37,6 +37,10 @@ class Metric {
   /// a and b become one in slot a; the nodes still hold the children, `posed` is the parent's posed position.
   virtual void merge(uint32_t a, uint32_t b, const Placement& parent, const PosedPoint* posed) = 0;
 
+  /// Whether nodes may be moved after they have been made; then moved() tells where from.
+  virtual bool allowsRefit() const { return false; }
+  virtual void moved(uint32_t /*slot*/, const PosedPoint* /*from*/) {}
+
   /// The triangles around a slot have changed.
   virtual void invalidate(uint32_t slot) = 0;
 };

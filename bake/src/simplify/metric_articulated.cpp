@@ -70,6 +70,12 @@ class ArticulatedMetric : public Metric {
     accumulate(accumulatedAt(a), accumulatedAt(b), posed.at(a), posed.at(b), parent, posed.blocks, accumulatedAt(a));
   }
 
+  bool allowsRefit() const override { return true; }
+
+  void moved(uint32_t slot, const PosedPoint* from) override {
+    recenter(from, nodes_.posed.at(slot), nodes_.posed.blocks, accumulatedAt(slot));
+  }
+
   void invalidate(uint32_t slot) override { stale_[slot] = 1; }
 
  private:

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "lithe/bake/simplify.h"
 
+#include <algorithm>
+
 #include "collapser.h"
 
 namespace lithe::bake {
@@ -11,11 +13,17 @@ CollapseSequence simplify(const Mesh& mesh, const std::vector<Joint>& joints, co
   Collapser collapser(mesh, palettesOf(options.metric, joints, poses), options);
   collapser.placeAllEdges();
   const uint32_t from = collapser.triangleCount();
+  std::vector<uint32_t> refit_at = options.refit_at;
+  std::sort(refit_at.begin(), refit_at.end());
   CollapseSequence sequence;
   while (collapser.triangleCount() > options.min_triangles) {
     Collapse collapse;
     if (!collapser.collapseNext(collapse)) break;
     sequence.collapses.push_back(collapse);
+    if (!refit_at.empty() && collapse.triangles <= refit_at.back()) {
+      collapser.refit(sequence.collapses);
+      while (!refit_at.empty() && collapse.triangles <= refit_at.back()) refit_at.pop_back();
+    }
     if (options.progress && sequence.collapses.size() % 1024 == 0) {
       options.progress(double(from - collapse.triangles) / (from - options.min_triangles));
     }

@@ -31,7 +31,8 @@ struct BakeOptions {
   uint32_t precision = 4;       ///< placement_shift of format/placement.h [0..31]: more is finer and larger
   /// Triangles of the levels as shares of the finest, in any order; 1 is always there. Levels that would differ by
   /// fewer than kMinLevelCollapses collapses are left out. The smallest share is where the simplification ends.
-  std::vector<double> levels = {0.7, 0.5, 0.3, 0.2, 0.14, 0.1, 0.07, 0.05, 0.03, 0.02, 0.014, 0.01, 0.007};
+  std::vector<double> levels = {0.7, 0.5, 0.3, 0.2, 0.14, 0.1, 0.07, 0.05, 0.03, 0.02, 0.014, 0.01, 0.007, 0.005};
+  bool refit = true;     ///< move the nodes of each level closer to the original's posed surface
   uint32_t threads = 0;  ///< 0: as many as the machine has; the result does not depend on it
   /// Called now and then from the calling thread with the stage's name and its progress 0..1.
   std::function<void(const char* stage, double progress)> progress;

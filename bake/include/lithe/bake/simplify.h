@@ -33,7 +33,11 @@ struct SimplifyOptions {
   double vanish_coarse = 0.03;
   /// An optimised skin replaces the interpolated one (which costs nothing in the file) only where it lowers the cost by
   /// more than this share.
-  double weight_gain = 0.03;
+  double weight_gain = 0.1;
+
+  /// Triangle counts at which the nodes made since the last one are moved to where the posed surface lies closest to
+  /// the original's: those of the levels. Only the metric `articulated` does so.
+  std::vector<uint32_t> refit_at;
 
   std::function<void(double)> progress;  ///< called now and then with 0..1, from the calling thread; may be empty
 };
