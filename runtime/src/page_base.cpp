@@ -28,11 +28,12 @@ uint32_t decodeSkin(const PageFormat& format, IntReader* joints, IntReader* weig
 uint32_t decodeNodes(const PageFormat& format, const PagePlan& plan, PageStreams* streams, Decoded* out) {
   IntReader* nodes = streams->values[format::kBaseNodes];
   IntReader* influences = streams->values[format::kBaseInfluences];
+  const int32_t low = streams->parameters[format::kPositionBias];
   int64_t position[3] = {0, 0, 0};
   uint64_t wedge = 0;
   for (uint32_t n = 0; n < plan.node_count; ++n) {
     for (int c = 0; c < 3; ++c) {
-      position[c] += nodes[0].next();
+      position[c] += splitValue(streams, &nodes[0], low);
       if (position[c] < 0 || position[c] >> format.position_bits) return kCheckNode;
       out->node_position[3 * n + static_cast<uint32_t>(c)] = static_cast<int32_t>(position[c]);
     }
@@ -52,6 +53,7 @@ uint32_t decodeNodes(const PageFormat& format, const PagePlan& plan, PageStreams
 
 uint32_t decodeWedges(const PageFormat& format, const PagePlan& plan, PageStreams* streams, Decoded* out) {
   IntReader* columns = streams->values[format::kBaseWedges];
+  const uint8_t* parameters = streams->parameters;
   int64_t previous[kMaxStride] = {};
   int64_t greatest[kMaxStride];
   attributeLimits(format, greatest);
@@ -61,9 +63,9 @@ uint32_t decodeWedges(const PageFormat& format, const PagePlan& plan, PageStream
     out->wedge_part[w] = static_cast<uint16_t>(part);
     out->wedge_parent[w] = format::kNoIndex;
     uint32_t at = 0, column = 1;
-    auto take = [&](uint32_t components) {
+    auto take = [&](uint32_t components, int32_t low) {
       for (uint32_t c = 0; c < components; ++c, ++at) {
-        previous[at] += columns[column].next();
+        previous[at] += splitValue(streams, &columns[column], c < 2 ? low : 0);
         if (previous[at] < 0 || previous[at] > greatest[at]) return false;
         out->wedge_attributes[static_cast<size_t>(w) * format.layout.stride + at] = static_cast<uint16_t>(previous[at]);
       }
@@ -71,10 +73,10 @@ uint32_t decodeWedges(const PageFormat& format, const PagePlan& plan, PageStream
       return true;
     };
     bool valid = true;
-    if (format.has.normals) valid = take(2);
-    if (format.has.tangents) valid = valid && take(3);
-    for (uint32_t s = 0; s < format.has.uv_sets; ++s) valid = valid && take(2);
-    for (uint32_t s = 0; s < format.has.color_sets; ++s) valid = valid && take(4);
+    if (format.has.normals) valid = take(2, parameters[format::kNormalShift]);
+    if (format.has.tangents) valid = valid && take(3, parameters[format::kTangentShift]);
+    for (uint32_t s = 0; s < format.has.uv_sets; ++s) valid = valid && take(2, parameters[format::kUvBias0 + s]);
+    for (uint32_t s = 0; s < format.has.color_sets; ++s) valid = valid && take(4, 0);
     if (!valid) return kCheckWedge;
   }
   return 0;

@@ -38,7 +38,8 @@ uint64_t recordBound(const PagePlan& plan, const Decoded& before, const PageForm
     case format::kMemberPicks:
     case format::kThirdPicks:
       return format::listedBound(splits, plan.face_count);
-    case format::kWedgeClasses:
+    case format::kClassesBoth:
+    case format::kClassesOne:
       return plan.wedge_count;
     case format::kColors:
       return wedges * format.has.color_sets;
@@ -71,21 +72,27 @@ void describeStreams(const PageFormat& format, bool base, StreamTable* table) {
 }
 
 bool parametersValid(const PageFormat& format, const uint8_t* parameters, bool base) {
-  if (base) {
-    for (uint32_t i = 0; i < format::kParameterBytes; ++i)
-      if (parameters[i] != 0) return false;
-    return true;
+  // A base page predicts nothing, and its biases are the numbers of low bits.
+  const uint8_t strength = base ? 0 : 32, bias = base ? format::kLowBitsMax : 31;
+  uint8_t most[format::kParameterBytes] = {};
+  most[format::kPositionMean] = most[format::kSkinGradient] = strength;
+  most[format::kPositionBias] = bias;
+  most[format::kHeightBias] = base ? 0 : bias;
+  most[format::kSkinShift] = base ? 0 : format::kLowBitsMax;
+  if (format.has.normals) {
+    most[format::kNormalGradient] = most[format::kNormalGeometry] = strength;
+    most[format::kNormalShift] = format::kLowBitsMax;
   }
-  const uint32_t normal_laplacian = format.has.normals ? 32 : 0,
-                 normal_shift = format.has.normals ? format::kLowBitsMax : 0;
-  if (parameters[format::kLaplacian] > 32 || parameters[format::kPositionBias] > 31 ||
-      parameters[format::kNormalLaplacian] > normal_laplacian || parameters[format::kNormalShift] > normal_shift ||
-      parameters[format::kTangentShift] > (format.has.tangents ? format::kLowBitsMax : 0))
-    return false;
-  for (uint32_t s = 0; s < 8; ++s)
-    if (parameters[format::kUvLaplacian0 + s] > (s < format.has.uv_sets ? 32 : 0) ||
-        parameters[format::kUvBias0 + s] > (s < format.has.uv_sets ? 31 : 0))
-      return false;
+  if (format.has.tangents) {
+    most[format::kTangentGradient] = strength;
+    most[format::kTangentShift] = format::kLowBitsMax;
+  }
+  for (uint32_t s = 0; s < format.has.uv_sets; ++s) {
+    most[format::kUvGradient0 + s] = strength;
+    most[format::kUvBias0 + s] = bias;
+  }
+  for (uint32_t i = 0; i < format::kParameterBytes; ++i)
+    if (parameters[i] > most[i]) return false;
   return true;
 }
 

@@ -95,6 +95,12 @@ struct PageStreams {
   const uint8_t* hidden_end;
 };
 
+/// A value whose `low` lowest bits are in the low bits, the others in a stream.
+inline int32_t splitValue(PageStreams* streams, IntReader* high, int32_t low) {
+  const uint32_t bits = streams->low_bits.next(low);
+  return static_cast<int32_t>((static_cast<uint32_t>(high->next()) << low) | bits);
+}
+
 /// Reads a page's header and tables, checks every stream's length against what the plan allows, and decodes the clouds.
 /// values   room for plan.values integers, used as the streams' memory
 /// returns  the check that failed, 0 when all is well; *offset is where in the page

@@ -14,7 +14,13 @@ namespace {
 
 using format::kNoIndex;
 
-constexpr uint32_t kSplitT8 = 0, kSplitLattice = 1, kSplitMode = 2, kSplitSkin = 3, kSplitPosition = 4;
+constexpr int64_t kMostResidual = 1 << 18;  // of a component of D; keeps the arithmetic of planes within 64 bits
+
+int32_t weightOf(const NodeSkin& skin, uint32_t joint) {
+  for (uint32_t i = 0; i < skin.count; ++i)
+    if (skin.joint[i] == joint) return skin.weight[i];
+  return 0;
+}
 
 }  // namespace
 
@@ -54,7 +60,8 @@ uint32_t SplitDecoder::visitNodes(uint32_t* cursor, uint32_t first_node, uint32_
 uint32_t SplitDecoder::splitNode(uint32_t node) {
   if (!gatherFan(node)) return kCheckWork;
   IntReader* split = streams_->values[format::kSplits];
-  const int32_t t8 = split[kSplitT8].next(), mode = split[kSplitMode].next(), skin_mode = split[kSplitSkin].next();
+  const int32_t t8 = split[format::kSplitT8].next(), mode = split[format::kSplitMode].next(),
+                skin_mode = split[format::kSplitSkin].next();
   if (t8 < 0 || t8 > 8 || mode > format::kModeGeneral || skin_mode > format::kSkinFree) return kCheckSplit;
   format::buildRing(fan_, ring_);
   listed_ = ring_.kind == format::RingKind::kIrregular || mode == format::kModeGeneral;
@@ -146,14 +153,48 @@ uint32_t SplitDecoder::listedNode(uint32_t neighbour_count, uint32_t* node) {
   return 0;
 }
 
+/// D: what is left over the ring's plane and in it, plus the difference of the neighbourhoods' means.
+bool SplitDecoder::readDifference(const NeighbourSum* sum, uint32_t extent, const format::Plane& plane, int32_t* d) {
+  IntReader* split = streams_->values[format::kSplits];
+  const uint8_t* parameters = streams_->parameters;
+  const int32_t low = format::lowBits(extent, parameters[format::kPositionBias]);
+  const int32_t low_height = format::lowBits(extent, parameters[format::kHeightBias]);
+  int64_t left[3];
+  for (uint32_t across : plane.across) {
+    left[across] = residual(&split[format::kSplitPosition], low);
+    if (left[across] >= kMostResidual || left[across] <= -kMostResidual) return false;
+  }
+  left[plane.axis] = residual(&split[format::kSplitPositionHeight], low_height) -
+                     plane.lift(left[plane.across[0]], left[plane.across[1]]);
+  // Larger differences cannot lie between two points of the grid, and would overflow further on.
+  const int64_t most = int64_t{1} << format_.position_bits;
+  for (int c = 0; c < 3; ++c) {
+    const format::Slope means = format::meanDifference(sum[0].value[c], sum[0].count, sum[1].value[c], sum[1].count);
+    const int64_t exact = left[c] + format::scaled(parameters[format::kPositionMean], means);
+    if (exact >= most || exact <= -most) return false;
+    d[c] = static_cast<int32_t>(exact);
+  }
+  return true;
+}
+
+/// Lattice indices: two across D, and the third as the height over the plane that D is perpendicular to.
+void SplitDecoder::readLattice(const int32_t* d, int64_t* k) {
+  IntReader* split = streams_->values[format::kSplits];
+  const format::Plane plane(d[0], d[1], d[2]);
+  for (uint32_t across : plane.across) k[across] = split[format::kSplitLattice].next();
+  k[plane.axis] = split[format::kSplitLatticeHeight].next() - plane.lift(k[plane.across[0]], k[plane.across[1]]);
+}
+
 uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
   NeighbourSum sum[2] = {};
   const int32_t* w = out_->node_position + 3 * static_cast<size_t>(node);
   int32_t low_end[3] = {w[0], w[1], w[2]}, high_end[3] = {w[0], w[1], w[2]};
+  format::AreaNormal normal;
   for (uint32_t i = 0; i < fan_.count; ++i) {
     NeighbourSum& side = sum[scratch_.at_b[i]];
     side.count += 2;
     const uint32_t neighbours[2] = {fan_.next[i], fan_.previous[i]};
+    normal.add({w[0], w[1], w[2]}, position(neighbours[0]), position(neighbours[1]));
     for (uint32_t neighbour : neighbours) {
       const int32_t* p = out_->node_position + 3 * static_cast<size_t>(neighbour);
       for (int c = 0; c < 3; ++c) {
@@ -165,28 +206,19 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
   }
   const int32_t extent =
       greatest(high_end[0] - low_end[0], greatest(high_end[1] - low_end[1], high_end[2] - low_end[2]));
-  const int32_t low = format::lowBits(static_cast<uint32_t>(extent), streams_->parameters[format::kPositionBias]);
-  const int32_t laplacian = streams_->parameters[format::kLaplacian];
-
-  IntReader* split = streams_->values[format::kSplits];
-  int32_t d[3], k[3];
-  for (int c = 0; c < 3; ++c) {
-    k[c] = split[kSplitLattice].next();
-    const int64_t exact =
-        int64_t{residual(&split[kSplitPosition], low)} +
-        format::predictDifference(sum[0].value[c], sum[0].count, sum[1].value[c], sum[1].count, laplacian);
-    // Larger differences cannot lie between two points of the grid, and would overflow below.
-    if (exact >= 1 << format_.position_bits || exact <= -(1 << format_.position_bits)) return kCheckPosition;
-    d[c] = static_cast<int32_t>(exact);
-  }
+  int32_t d[3];
+  if (!readDifference(sum, static_cast<uint32_t>(extent), {normal.x, normal.y, normal.z}, d)) return kCheckPosition;
   const format::Int3 difference{d[0], d[1], d[2]};
   const int32_t step = format::latticeStep(difference, format_.placement_shift);
   extent_ =
       static_cast<uint32_t>(greatest(format::absolute(d[0]), greatest(format::absolute(d[1]), format::absolute(d[2]))));
+  ring_extent_ = greatest(static_cast<uint32_t>(extent), extent_);
 
+  int64_t k[3];
+  readLattice(d, k);
   const uint32_t child_a = out_->node_count, child_b = child_a + 1;
   for (uint32_t c = 0; c < 3; ++c) {
-    const int64_t b = static_cast<int64_t>(w[c]) - static_cast<int64_t>(k[c]) * step - format::eighths(d[c], t8);
+    const int64_t b = static_cast<int64_t>(w[c]) - k[c] * step - format::eighths(d[c], t8);
     const int64_t a = b + d[c];
     if (b < 0 || a < 0 || b >> format_.position_bits || a >> format_.position_bits) return kCheckPosition;
     out_->node_position[3 * static_cast<size_t>(child_a) + c] = static_cast<int32_t>(a);
@@ -204,17 +236,24 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
   first_parent_wedge_ = out_->node_first_wedge[node];
   const uint32_t count = out_->node_first_wedge[node + 1] - first_parent_wedge_;
   if (count > scratch_.capacity) return kCheckWork;
+  for (uint32_t i = 0; i < count; ++i) scratch_.classes[i].at_a = scratch_.classes[i].at_b = false;
+  for (uint32_t i = 0; i < fan_.count; ++i) {
+    WedgeClass& wedge_class = scratch_.classes[scratch_.wedge[i] - first_parent_wedge_];
+    (scratch_.at_b[i] ? wedge_class.at_b : wedge_class.at_a) = true;
+  }
   uint64_t total_a = 0, total_b = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    const int32_t code = streams_->values[format::kWedgeClasses][0].next();
     WedgeClass& wedge_class = scratch_.classes[i];
+    const bool one_side = wedge_class.at_a != wedge_class.at_b;
+    const int32_t code = streams_->values[one_side ? format::kClassesOne : format::kClassesBoth][0].next();
     if (code > format::kClassListed) return kCheckClasses;
     if (code == format::kClassListed) {
       wedge_class.count_a = static_cast<uint32_t>(streams_->values[format::kMemberPicks][0].next());
       wedge_class.count_b = static_cast<uint32_t>(streams_->values[format::kMemberPicks][0].next());
     } else {
-      wedge_class.count_a = format::kClassA[code];
-      wedge_class.count_b = format::kClassB[code];
+      const format::ClassCounts counts = format::classCounts(code, wedge_class.at_a, wedge_class.at_b);
+      wedge_class.count_a = counts.a;
+      wedge_class.count_b = counts.b;
     }
     if (wedge_class.count_a == 0 && wedge_class.count_b == 0) return kCheckClasses;
     total_a += wedge_class.count_a;
@@ -250,26 +289,69 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
   return 0;
 }
 
-/// Prediction of two entries of the records from those at the other corners of the fan's faces in one class.
-format::Int2 SplitDecoder::predictPair(uint32_t wedge_class, uint32_t class_count, uint32_t at,
-                                       int32_t laplacian) const {
-  if (laplacian == 0 || class_count > format::kMaxPredictedClasses) return {0, 0};
-  const uint32_t stride = format_.layout.stride;
-  NeighbourSum sum[2] = {};
+/// The neighbours along the faces at one wedge of the split node (kNoIndex: at all of them) and their gradient.
+void SplitDecoder::gatherRing(uint32_t node, uint32_t wedge) {
+  neighbours_.count = 0;
+  neighbours_.gradient = {};
+  neighbours_.normal_difference = {0, 0};
+  if (fan_.count > format::kMaxRing) return;
+  const format::Int3 w = position(node);
+  const uint32_t child_a = out_->node_count - 2;
+  const int32_t shift = format::gradientShift(ring_extent_);
+  format::GradientSums sums;
   for (uint32_t i = 0; i < fan_.count; ++i) {
-    if (scratch_.wedge[i] != first_parent_wedge_ + wedge_class) continue;
-    NeighbourSum& side = sum[scratch_.at_b[i]];
+    if (wedge != kNoIndex && scratch_.wedge[i] != wedge) continue;
     const uint32_t k = fan_.corner[i] % 3, first = fan_.corner[i] - k;
-    side.count += 2;
-    for (uint32_t step = 1; step < 3; ++step) {
-      const size_t neighbour = out_->face_wedges[first + (k + step) % 3];
-      const uint16_t* record = out_->wedge_attributes + neighbour * stride + at;
-      side.value[0] += record[0];
-      side.value[1] += record[1];
+    const uint32_t nodes[2] = {fan_.next[i], fan_.previous[i]};
+    for (uint32_t step = 0; step < 2; ++step) {
+      const format::Int3 r = format::shifted(format::minus(position(nodes[step]), w), shift);
+      neighbours_.wedge[neighbours_.count] = out_->face_wedges[first + (k + 1 + step) % 3];
+      neighbours_.r[neighbours_.count++] = r;
+      sums.add(r);
     }
   }
-  return {format::predictDifference(sum[0].value[0], sum[0].count, sum[1].value[0], sum[1].count, laplacian),
-          format::predictDifference(sum[0].value[1], sum[0].count, sum[1].value[1], sum[1].count, laplacian)};
+  const format::Int3 d = format::minus(position(child_a), position(child_a + 1));
+  neighbours_.gradient = format::solveGradient(sums, format::shifted(d, shift));
+}
+
+/// The area normals of the children's faces: those of the fan at one wedge, and the new ones at the ring's cut.
+void SplitDecoder::gatherNormals(uint32_t wedge) {
+  const uint32_t child_a = out_->node_count - 2;
+  const format::Int3 child[2] = {position(child_a), position(child_a + 1)};
+  format::AreaNormal normal[2];
+  for (uint32_t i = 0; i < fan_.count; ++i) {
+    if (scratch_.wedge[i] != wedge) continue;
+    const uint32_t side = scratch_.at_b[i];
+    normal[side].add(child[side], position(fan_.next[i]), position(fan_.previous[i]));
+  }
+  for (uint32_t i = 0; !listed_ && i < face_count_; ++i) {
+    const NewFace& face = ring_faces_[i];
+    const format::Int3 third = position(face.third);
+    for (format::AreaNormal& n : normal) n.add(child[!face.first_is_a], third, child[face.first_is_a]);
+  }
+  neighbours_.normal_difference =
+      format::normalDifference(normal[0], normal[1], static_cast<int32_t>(format_.normal_center));
+}
+
+/// Of an entry of the records.
+int32_t SplitDecoder::predict(const uint16_t* parent, uint32_t at, int32_t strength) const {
+  if (strength == 0 || neighbours_.count == 0) return 0;
+  const uint32_t stride = format_.layout.stride;
+  format::Moment moment;
+  for (uint32_t i = 0; i < neighbours_.count; ++i) {
+    const uint16_t* record = out_->wedge_attributes + static_cast<size_t>(neighbours_.wedge[i]) * stride;
+    moment.add(neighbours_.r[i], static_cast<int32_t>(record[at]) - static_cast<int32_t>(parent[at]));
+  }
+  return format::scaled(strength, neighbours_.gradient.of(moment));
+}
+
+int32_t SplitDecoder::predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const {
+  if (strength == 0 || neighbours_.count == 0) return 0;
+  const int32_t at_parent = weightOf(parent, joint);
+  format::Moment moment;
+  for (uint32_t i = 0; i < neighbours_.count; ++i)
+    moment.add(neighbours_.r[i], weightOf(out_->node_skin[out_->wedge_node[neighbours_.wedge[i]]], joint) - at_parent);
+  return format::scaled(strength, neighbours_.gradient.of(moment));
 }
 
 bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
@@ -300,7 +382,13 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
     const WedgeClass& c = scratch_.classes[i];
     const uint16_t* parent = record(first_parent_wedge_ + i);
     if (c.count_a && c.count_b) {
-      if (!readPair(i, count, t8, parent, record(c.first_a), record(c.first_b))) return kCheckWedge;
+      neighbours_.count = 0;
+      neighbours_.normal_difference = {0, 0};
+      if (count <= format::kMaxPredictedClasses) {
+        gatherRing(node, first_parent_wedge_ + i);
+        if (format_.has.normals && fan_.count <= format::kMaxRing) gatherNormals(first_parent_wedge_ + i);
+      }
+      if (!readPair(t8, parent, record(c.first_a), record(c.first_b))) return kCheckWedge;
     } else {
       memcpy(record(c.count_a ? c.first_a : c.first_b), parent, stride * sizeof(uint16_t));
     }
@@ -313,19 +401,23 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
 }
 
 /// The records of a class's first wedges at either child.
-bool SplitDecoder::readPair(uint32_t wedge_class, uint32_t class_count, int32_t t8, const uint16_t* parent, uint16_t* a,
-                            uint16_t* b) {
+bool SplitDecoder::readPair(int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b) {
   const uint8_t* parameters = streams_->parameters;
   uint32_t at = 0;
   if (format_.has.normals) {
-    const format::Int2 predicted = predictPair(wedge_class, class_count, at, parameters[format::kNormalLaplacian]);
+    const int32_t strength = parameters[format::kNormalGradient], geometry = parameters[format::kNormalGeometry];
+    const format::Int2 predicted{
+        predict(parent, at, strength) + ((geometry * neighbours_.normal_difference.x) >> 4),
+        predict(parent, at + 1, strength) + ((geometry * neighbours_.normal_difference.y) >> 4)};
     IntReader* normals = streams_->values[format::kNormals];
     if (!readDirection(normals, parameters[format::kNormalShift], predicted, t8, parent, a, b)) return false;
     at += 2;
   }
   if (format_.has.tangents) {
     IntReader* tangents = streams_->values[format::kTangents];
-    if (!readDirection(&tangents[0], parameters[format::kTangentShift], {0, 0}, t8, parent + at, a + at, b + at))
+    const int32_t strength = parameters[format::kTangentGradient];
+    const format::Int2 predicted{predict(parent, at, strength), predict(parent, at + 1, strength)};
+    if (!readDirection(&tangents[0], parameters[format::kTangentShift], predicted, t8, parent + at, a + at, b + at))
       return false;
     const uint32_t flips = static_cast<uint32_t>(tangents[1].next());
     if (flips > 3) return false;
@@ -343,7 +435,8 @@ bool SplitDecoder::readPair(uint32_t wedge_class, uint32_t class_count, int32_t 
     return true;
   };
   for (uint32_t s = 0; s < format_.has.uv_sets; ++s) {
-    const format::Int2 predicted = predictPair(wedge_class, class_count, at, parameters[format::kUvLaplacian0 + s]);
+    const int32_t strength = parameters[format::kUvGradient0 + s];
+    const format::Int2 predicted{predict(parent, at, strength), predict(parent, at + 1, strength)};
     const int32_t low = format::lowBits(extent_, parameters[format::kUvBias0 + s]);
     IntReader* uvs = streams_->values[format::kUv0 + s];
     if (!linear(int64_t{residual(uvs, low)} + predicted.x) || !linear(int64_t{residual(uvs, low)} + predicted.y))
@@ -493,21 +586,27 @@ uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
     joints[i] = i < parent.count ? parent.joint[i] : static_cast<uint32_t>(news.next());
     if (joints[i] >= format_.joint_count) return kCheckChildSkin;
   }
+  const int32_t shift = streams_->parameters[format::kSkinShift],
+                strength = streams_->parameters[format::kSkinGradient];
+  if (strength > 0 && count > 1) gatherRing(node, kNoIndex);
   WeightEntry a[format::kMaxSkinJoints] = {}, b[format::kMaxSkinJoints] = {};
   const int32_t one = static_cast<int32_t>(format_.weight_one);
   int32_t last_d = 0, sum_b = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const bool last = i + 1 == count;
     const int32_t of_parent = i < parent.count ? parent.weight[i] : 0;
-    const int32_t d = last ? last_d : streams_->values[format::kSkinD][0].next();
+    int64_t d = last_d;
+    if (!last)
+      d = int64_t{residual(&streams_->values[format::kSkinD][0], shift)} + predictWeight(parent, joints[i], strength);
+    if (d > one || d < -one) return kCheckChildSkin;
     int32_t of_b;
     if (mode == format::kSkinRule)
-      of_b = of_parent - format::eighths(d, t8);
+      of_b = of_parent - format::eighths(static_cast<int32_t>(d), t8);
     else
       of_b = last ? one - sum_b : of_parent + streams_->values[format::kSkinE][0].next();
-    last_d -= last ? 0 : d;
+    last_d -= last ? 0 : static_cast<int32_t>(d);
     sum_b += of_b;
-    a[i] = {joints[i], d};
+    a[i] = {joints[i], static_cast<int32_t>(d)};
     b[i] = {joints[i], of_b};
   }
   if (mode == format::kSkinRule) b[0].weight += one - sum_b;

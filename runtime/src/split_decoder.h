@@ -14,12 +14,23 @@ namespace lithe::runtime {
 struct WedgeClass {
   uint32_t first_a, first_b;  ///< first wedge at either child
   uint32_t count_a, count_b;
+  bool at_a, at_b;  ///< its corners lie at these children
 };
 
 /// Sums over the neighbours of one child: each of its faces adds its two other corners.
 struct NeighbourSum {
   int64_t value[3];
   int64_t count;
+};
+
+/// What attributes are predicted from: the neighbours of the split node along the faces at one of its wedges, or at
+/// all.
+struct Neighbours {
+  uint32_t count;
+  uint32_t wedge[2 * format::kMaxRing];
+  format::Int3 r[2 * format::kMaxRing];  ///< relative to the split node, shifted
+  format::Gradient gradient;
+  format::Int2 normal_difference;  ///< of the children's area normals
 };
 
 /// Memory for the node that is being split: max_fan entries each.
@@ -59,11 +70,19 @@ class SplitDecoder {
   uint32_t readList();
   uint32_t listedNode(uint32_t neighbour_count, uint32_t* node);
   uint32_t placeChildren(uint32_t node, int32_t t8);
+  bool readDifference(const NeighbourSum* sum, uint32_t extent, const format::Plane& plane, int32_t* d);
+  void readLattice(const int32_t* d, int64_t* k);
   uint32_t readClasses(uint32_t node);
   uint32_t readAttributes(uint32_t node, int32_t t8);
-  bool readPair(uint32_t wedge_class, uint32_t class_count, int32_t t8, const uint16_t* parent, uint16_t* a,
-                uint16_t* b);
-  format::Int2 predictPair(uint32_t wedge_class, uint32_t class_count, uint32_t at, int32_t laplacian) const;
+  bool readPair(int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
+  void gatherRing(uint32_t node, uint32_t wedge);
+  void gatherNormals(uint32_t wedge);
+  int32_t predict(const uint16_t* parent, uint32_t at, int32_t strength) const;
+  int32_t predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const;
+  format::Int3 position(uint32_t node) const {
+    const int32_t* p = out_->node_position + 3 * static_cast<size_t>(node);
+    return {p[0], p[1], p[2]};
+  }
   bool readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8, const uint16_t* parent,
                      uint16_t* a, uint16_t* b);
   uint32_t moveFan();
@@ -73,10 +92,7 @@ class SplitDecoder {
   bool readExtra(const uint16_t* first, uint16_t* extra);
   uint32_t pick(format::SplitStream stream, uint32_t count);
   bool childWedge(uint32_t wedge_class, bool at_b, uint32_t* wedge);
-  int32_t residual(IntReader* high, int32_t low) {
-    const uint32_t bits = streams_->low_bits.next(low);
-    return static_cast<int32_t>((static_cast<uint32_t>(high->next()) << low) | bits);
-  }
+  int32_t residual(IntReader* high, int32_t low) { return splitValue(streams_, high, low); }
 
   const PageFormat& format_;
   const PagePlan& plan_;
@@ -90,8 +106,10 @@ class SplitDecoder {
   format::Ring ring_{};
   NewFace ring_faces_[2]{};
   uint32_t face_count_ = 0;
-  bool listed_ = false;  ///< sides and faces come from kGeneral
-  uint32_t extent_ = 0;  ///< of D, for the uvs' low bits
+  bool listed_ = false;       ///< sides and faces come from kGeneral
+  uint32_t extent_ = 0;       ///< of D, for the uvs' low bits
+  uint32_t ring_extent_ = 0;  ///< of the ring and of D
+  Neighbours neighbours_;     ///< of the corners at one wedge of the split node, or at all
   uint64_t work_ = 0;
 
   uint32_t first_parent_wedge_ = 0;

@@ -3,7 +3,9 @@
 // Every reader check of docs/format.md that concerns pages: a sound page breaks exactly that rule, under true
 // checksums and true tables. The tests have the checks' numbers.
 #include <algorithm>
+#include <array>
 #include <set>
+#include <utility>
 
 #include "page_editor.h"
 #include "refusals.h"
@@ -19,7 +21,6 @@ constexpr int32_t kFar = 1 << 16;
 /// Attributes of the streams, as docs/format.md lists them.
 enum BaseNodesAttribute : uint32_t { kNodePosition, kNodeWedges, kNodeInfluences };
 enum InfluencesAttribute : uint32_t { kJoint, kWeight };
-enum SplitsAttribute : uint32_t { kT8, kLattice, kMode, kSkin, kPosition };
 
 uint32_t pageCount(const LitheFile& file) { return static_cast<uint32_t>(file.pages.size()); }
 
@@ -110,14 +111,16 @@ TEST(PageCheck, N62_Kind) {
 TEST(PageCheck, N63_Parameters) {
   for (uint32_t i = 0; i < kParameterBytes; ++i) {
     SCOPED_TRACE(i);
-    expectRefusedAfter(richFile(), 0, 63, [&](PageEditor& e) { e.data.parameters[i] = 1; });
+    const bool shift = i == kPositionBias || i == kNormalShift || i == kTangentShift || i >= kUvBias0;
+    expectRefusedAfter(richFile(), 0, 63, [&](PageEditor& e) { e.data.parameters[i] = shift ? 16 : 1; });
     expectRefusedAfter(richFile(), 1, 63, [&](PageEditor& e) { e.data.parameters[i] = 255; });
   }
   const struct {
     uint32_t parameter;
     uint8_t most;
-  } kRanges[] = {{kLaplacian, 32},    {kPositionBias, 31}, {kNormalLaplacian, 32}, {kNormalShift, 15},
-                 {kTangentShift, 15}, {kUvLaplacian0, 32}, {kUvBias0 + 1, 31}};
+  } kRanges[] = {{kPositionMean, 32},   {kPositionBias, 31}, {kHeightBias, 31},      {kNormalGradient, 32},
+                 {kNormalGeometry, 32}, {kNormalShift, 15},  {kTangentGradient, 32}, {kTangentShift, 15},
+                 {kSkinGradient, 32},   {kSkinShift, 15},    {kUvGradient0, 32},     {kUvBias0 + 1, 31}};
   for (const auto& range : kRanges) {
     SCOPED_TRACE(range.parameter);
     expectRefusedAfter(richFile(), 1, 63, [&](PageEditor& e) { e.data.parameters[range.parameter] = range.most + 1; });
@@ -125,7 +128,8 @@ TEST(PageCheck, N63_Parameters) {
 }
 
 TEST(PageCheck, N63_ParametersOfMissingAttributes) {
-  for (const uint32_t parameter : {uint32_t{kTangentShift}, kUvLaplacian0 + 1, kUvBias0 + 1, kUvBias0 + 7}) {
+  for (const uint32_t parameter :
+       {uint32_t{kTangentGradient}, uint32_t{kTangentShift}, kUvGradient0 + 1, kUvBias0 + 1, kUvBias0 + 7}) {
     SCOPED_TRACE(parameter);
     expectRefusedAfter(torusFile(), 1, 63, [&](PageEditor& e) { e.data.parameters[parameter] = 1; });
   }
@@ -341,23 +345,27 @@ TEST(PageCheck, N71_MoreSplitsThanThePages) {
 }
 
 TEST(PageCheck, N72_Split) {
-  expectRefusedWithFirst(kSplits, kT8, 9, 72);
-  expectRefusedWithFirst(kSplits, kMode, 3, 72);
-  expectRefusedWithFirst(kSplits, kSkin, 3, 72);
+  expectRefusedWithFirst(kSplits, kSplitT8, 9, 72);
+  expectRefusedWithFirst(kSplits, kSplitMode, 3, 72);
+  expectRefusedWithFirst(kSplits, kSplitSkin, 3, 72);
 }
 
 TEST(PageCheck, N72_ModeThatDoesNotFitTheRing) {
   // On a closed surface no ring is open, so the first split's is closed or irregular.
-  expectRefusedAfter(torusFile(), 1, 72, [](PageEditor& e) { e.values(kSplits, kMode)[0] = kModeOpenTwo; });
+  expectRefusedAfter(torusFile(), 1, 72, [](PageEditor& e) { e.values(kSplits, kSplitMode)[0] = kModeOpenTwo; });
 }
 
 TEST(PageCheck, N73_Position) {
   const uint32_t page = pageWithStream(richFile(), kSplits);
   for (const int32_t value : {kFar, -kFar})
-    for (uint32_t c = 0; c < 3; ++c) {
-      expectRefusedAfter(richFile(), page, 73, [&](PageEditor& e) { e.values(kSplits, kPosition)[c] = value; });
-      expectRefusedAfter(richFile(), page, 73, [&](PageEditor& e) { e.values(kSplits, kLattice)[c] = value; });
-    }
+    for (const auto& [attribute, components] : {std::pair(kSplitPosition, 2), std::pair(kSplitPositionHeight, 1),
+                                                std::pair(kSplitLattice, 2), std::pair(kSplitLatticeHeight, 1)})
+      for (int c = 0; c < components; ++c) {
+        SCOPED_TRACE(testing::Message() << "attribute " << attribute << " component " << c);
+        expectRefusedAfter(richFile(), page, 73, [&, at = attribute](PageEditor& e) {
+          e.values(kSplits, at)[static_cast<size_t>(c)] = value;
+        });
+      }
 }
 
 TEST(PageCheck, N74_Cuts) {
@@ -454,23 +462,33 @@ TEST(PageCheck, N75_HalvesOfAnId) {
 }
 
 TEST(PageCheck, N76_Classes) {
-  expectRefusedWithFirst(kWedgeClasses, 0, 7, 76);
-  expectRefusedWithFirst(kWedgeClasses, 0, kFar, 76);
+  for (const uint32_t stream : {uint32_t{kClassesBoth}, uint32_t{kClassesOne}}) {
+    expectRefusedWithFirst(stream, 0, kClassListed + 1, 76);
+    expectRefusedWithFirst(stream, 0, kFar, 76);
+  }
   // Listed counts: none at all, and more than the page has room for.
   const int32_t kCounts[][2] = {{0, 0}, {kFar, 1}, {1, kFar}, {(1 << 19) - 1, (1 << 19) - 1}};
   for (const auto& counts : kCounts) {
-    const uint32_t page = pageWithStream(richFile(), kWedgeClasses);
+    const uint32_t page = pageWithStream(richFile(), kClassesBoth);
     expectRefusedAfter(richFile(), page, 76, [&](PageEditor& e) {
-      e.values(kWedgeClasses)[0] = kClassListed;
+      e.values(kClassesBoth)[0] = kClassListed;
       e.values(kMemberPicks).insert(e.values(kMemberPicks).begin(), {counts[0], counts[1]});
     });
   }
 }
 
 TEST(PageCheck, N76_ChildWithoutWedges) {
-  for (const int32_t one_side : {1, 2}) {
+  // Every wedge of the first split node goes to one child only: counts that no code has are listed.
+  const std::array<int32_t, 2> kCounts[] = {{1, 0}, {0, 1}};
+  for (const auto& counts : kCounts) {
     expectRefusedAfter(torusFile(), 1, 76, [&](PageEditor& e) {
-      for (int32_t& wedge_class : e.values(kWedgeClasses)) wedge_class = one_side;
+      std::vector<int32_t>& picks = e.values(kMemberPicks);
+      picks.clear();
+      for (const uint32_t stream : {uint32_t{kClassesBoth}, uint32_t{kClassesOne}})
+        for (int32_t& wedge_class : e.values(stream)) {
+          wedge_class = kClassListed;
+          picks.insert(picks.end(), counts.begin(), counts.end());
+        }
     });
   }
 }
@@ -479,8 +497,11 @@ TEST(PageCheck, N77_Picks) {
   for (const uint32_t stream : {uint32_t{kClassPicks}, uint32_t{kThirdPicks}})
     expectRefusedWithFirst(stream, 0, kFar, 77);
   const uint32_t page = pageWhere(richFile(), [](PageEditor& e) {
-    const std::vector<int32_t>& classes = e.values(kWedgeClasses);
-    return !e.values(kMemberPicks).empty() && std::find(classes.begin(), classes.end(), kClassListed) == classes.end();
+    auto lists = [&](uint32_t stream) {
+      const std::vector<int32_t>& classes = e.values(stream);
+      return std::find(classes.begin(), classes.end(), kClassListed) != classes.end();
+    };
+    return !e.values(kMemberPicks).empty() && !lists(kClassesBoth) && !lists(kClassesOne);
   });
   ASSERT_GT(page, 0u);
   expectRefusedAfter(richFile(), page, 77, [](PageEditor& e) { e.values(kMemberPicks)[0] = kFar; });

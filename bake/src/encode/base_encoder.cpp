@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "lithe/format/file.h"
+#include "residuals.h"
 
 namespace lithe::bake {
 namespace {
@@ -32,14 +33,47 @@ void addStandingFaces(Cut& cut) {
   }
 }
 
-void writeNodes(const Cut& cut, PageData& page) {
+/// Differences to what came before, of one attribute: cut into high parts and low bits when all are known.
+struct Differences {
+  StreamData::Attribute* attribute;
+  uint32_t parameter;  ///< that holds the number of low bits; kNone: there are none
+  uint32_t shifted;    ///< components that have low bits
+  std::vector<int32_t> values;
+
+  uint8_t chooseShift() const {
+    std::vector<int32_t> counted;
+    for (size_t i = 0; i < values.size(); ++i)
+      if (i % attribute->spec.components < shifted) counted.push_back(values[i]);
+    return bestShift(counted);
+  }
+};
+
+/// Record by record, as a reader takes them.
+void writeDifferences(std::vector<Differences>& columns, PageData& page, BitWriter& low_bits) {
+  for (Differences& column : columns)
+    if (column.parameter != kNone) page.parameters[column.parameter] = column.chooseShift();
+  const size_t records = columns.empty() ? 0 : columns[0].values.size() / columns[0].attribute->spec.components;
+  for (size_t r = 0; r < records; ++r)
+    for (Differences& column : columns) {
+      const uint32_t components = column.attribute->spec.components;
+      for (uint32_t c = 0; c < components; ++c) {
+        const int32_t value = column.values[r * components + c];
+        const int32_t low = column.parameter != kNone && c < column.shifted ? page.parameters[column.parameter] : 0;
+        column.attribute->values.push_back(value >> low);
+        low_bits.write(static_cast<uint32_t>(value), low);
+      }
+    }
+}
+
+void writeNodes(const Cut& cut, PageData& page, BitWriter& low_bits) {
   auto& nodes = page.streams[format::kBaseNodes].attributes;
   auto& influences = page.streams[format::kBaseInfluences].attributes;
+  std::vector<Differences> positions{{&nodes[0], format::kPositionBias, 3, {}}};
   glm::ivec3 previous(0);
   for (uint32_t n = 0; n < cut.node_hierarchy.size(); ++n) {
     const uint32_t node = cut.node_hierarchy[n];
     const glm::ivec3 position = cut.h.position[node];
-    for (int c = 0; c < 3; ++c) nodes[0].values.push_back(position[c] - previous[c]);
+    for (int c = 0; c < 3; ++c) positions[0].values.push_back(position[c] - previous[c]);
     previous = position;
     nodes[1].values.push_back(static_cast<int32_t>(cut.node_first_wedge[n + 1] - cut.node_first_wedge[n]) - 1);
     const QuantizedSkin& skin = cut.h.skin[node];
@@ -49,22 +83,34 @@ void writeNodes(const Cut& cut, PageData& page) {
       influences[1].values.push_back(i + 1 < skin.count ? skin.weight[i] : 0);
     }
   }
+  writeDifferences(positions, page, low_bits);
 }
 
-void writeWedges(const Cut& cut, PageData& page) {
-  auto& attributes = page.streams[format::kBaseWedges].attributes;
+std::vector<Differences> wedgeColumns(const WedgeRecord& record, format::WedgeAttributes has, PageData& page) {
+  StreamData::Attribute* attribute = page.streams[format::kBaseWedges].attributes.data() + 1;  // the first is the part
+  std::vector<Differences> columns;
+  if (record.normal != kNone) columns.push_back({attribute++, format::kNormalShift, 2, {}});
+  if (record.tangent != kNone) columns.push_back({attribute++, format::kTangentShift, 2, {}});
+  for (uint32_t s = 0; s < has.uv_sets; ++s) columns.push_back({attribute++, format::kUvBias0 + s, 2, {}});
+  for (uint32_t s = 0; s < has.color_sets; ++s) columns.push_back({attribute++, kNone, 0, {}});
+  return columns;
+}
+
+void writeWedges(const Cut& cut, format::WedgeAttributes has, PageData& page, BitWriter& low_bits) {
+  std::vector<Differences> columns = wedgeColumns(cut.h.record, has, page);
   const uint32_t stride = cut.h.record.stride;
   std::vector<int32_t> previous(stride, 0);
   for (uint32_t wedge : cut.wedge_hierarchy) {
-    attributes[0].values.push_back(static_cast<int32_t>(cut.h.wedge_part[wedge]));
+    page.streams[format::kBaseWedges].attributes[0].values.push_back(static_cast<int32_t>(cut.h.wedge_part[wedge]));
     const int32_t* values = cut.h.wedge_attributes.data() + size_t{wedge} * stride;
     uint32_t at = 0;
-    for (size_t a = 1; a < attributes.size(); ++a)
-      for (uint32_t c = 0; c < attributes[a].spec.components; ++c, ++at) {
-        attributes[a].values.push_back(values[at] - previous[at]);
+    for (Differences& column : columns)
+      for (uint32_t c = 0; c < column.attribute->spec.components; ++c, ++at) {
+        column.values.push_back(values[at] - previous[at]);
         previous[at] = values[at];
       }
   }
+  writeDifferences(columns, page, low_bits);
 }
 
 void writeFaces(const Cut& cut, PageData& page) {
@@ -87,9 +133,11 @@ PageData encodeBase(Cut& cut, format::WedgeAttributes has) {
     throw Error("the coarsest level still has " + std::to_string(cut.wedge_node.size()) +
                 " vertices: collapse further (the simplifier stopped early)");
   addStandingFaces(cut);
-  writeNodes(cut, page);
-  writeWedges(cut, page);
+  BitWriter low_bits;
+  writeNodes(cut, page, low_bits);
+  writeWedges(cut, has, page, low_bits);
   writeFaces(cut, page);
+  page.low_bits = low_bits.bytes();
   return page;
 }
 

@@ -169,7 +169,8 @@ const char* streamKind(format::PageKind page, uint32_t stream) {
     case format::kSkinE:
     case format::kSkinNew:
       return "skin";
-    case format::kWedgeClasses:
+    case format::kClassesBoth:
+    case format::kClassesOne:
     case format::kClassPicks:
     case format::kMemberPicks:
     case format::kThirdPicks:

@@ -6,23 +6,27 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "lithe/bake/model.h"
+
 namespace lithe::bake {
 namespace {
 
-std::array<int32_t, 3> predicted(const Residual& r, int32_t laplacian) {
-  std::array<int32_t, 3> residual = r.difference;
+/// What is left of a difference. A position's components: two in the ring's plane, then the height over it.
+std::array<int32_t, 3> residualOf(const Residual& r, int32_t slope, int32_t geometry) {
+  std::array<int32_t, 3> left = r.difference;
   for (uint32_t i = 0; i < r.components; ++i)
-    residual[i] -= format::predictDifference(r.sum_a[i], r.count_a, r.sum_b[i], r.count_b, laplacian);
-  return residual;
+    left[i] -= format::scaled(slope, r.slope[i]) + ((geometry * r.geometry[i]) >> 4);
+  if (r.kind != Residual::Kind::kPosition) return left;
+  const format::Plane plane(r.normal[0], r.normal[1], r.normal[2]);
+  const int32_t u = left[plane.across[0]], v = left[plane.across[1]];
+  return {u, v, static_cast<int32_t>(left[plane.axis] + plane.lift(u, v))};
 }
 
 /// Bytes a table entry costs are charged as bits: what makes many rare symbols dear.
 constexpr double kTableBits = 9.0;
 
-}  // namespace
-
 /// Values of one kind with the extent that decides their low bits.
-struct Residuals::Series {
+struct Series {
   std::vector<int32_t> values;
   std::vector<uint32_t> extents;  ///< one per value
 
@@ -56,82 +60,132 @@ struct Residuals::Series {
     return bits;
   }
 
-  uint8_t best(bool adaptive) const {
-    uint8_t choice = 0;
-    double least = 1e300;
+  struct Choice {
+    uint8_t bias = 0;
+    double bits = 1e300;
+  };
+  Choice best(bool adaptive) const {
+    Choice choice;
     for (uint8_t bias = 0; bias <= format::kLowBitsMax; ++bias) {
       const double bits = cost(bias, adaptive);
-      if (bits < least) least = bits, choice = bias;
+      if (bits < choice.bits) choice = {bias, bits};
     }
     return choice;
   }
 };
 
-Residuals::Series Residuals::seriesOf(Residual::Kind kind, uint32_t set, int32_t laplacian) const {
+}  // namespace
+
+uint8_t bestShift(const std::vector<int32_t>& values) { return Series{values, {}}.best(false).bias; }
+
+struct Residuals::Series : bake::Series {};
+
+Residuals::Series Residuals::seriesOf(Residual::Kind kind, uint32_t set, Strength strength, Part part) const {
   Series series;
   for (const Residual& item : items_) {
     if (item.kind != kind || item.set != set) continue;
-    const auto values = predicted(item, laplacian);
-    series.values.insert(series.values.end(), values.begin(), values.begin() + item.components);
+    const auto values = residualOf(item, strength.slope, strength.geometry);
+    const int begin = part == Part::kHeight ? 2 : 0, end = part == Part::kAcross ? 2 : item.components;
+    series.values.insert(series.values.end(), values.begin() + begin, values.begin() + end);
     series.extents.resize(series.values.size(), item.extent);
   }
   return series;
 }
 
-uint8_t Residuals::bestLaplacian(Residual::Kind kind, uint32_t set) const {
-  uint8_t choice = 0;
-  double least = 1e300;
-  for (uint8_t laplacian = 0; laplacian <= 20; laplacian += 2) {
-    const double bits = seriesOf(kind, set, laplacian).magnitude();
-    if (bits < least) least = bits, choice = laplacian;
+// One strength after the other, twice: they share what they explain.
+Residuals::Strength Residuals::bestStrength(Residual::Kind kind, uint32_t set, bool with_geometry) const {
+  constexpr uint8_t kStep = 2, kMost = 20;
+  Strength best;
+  double least = seriesOf(kind, set, best).magnitude();
+  auto consider = [&](Strength strength) {
+    const double bits = seriesOf(kind, set, strength).magnitude();
+    if (bits < least) least = bits, best = strength;
+  };
+  for (int sweep = 0; sweep < (with_geometry ? 2 : 1); ++sweep) {
+    const Strength start = best;
+    for (uint8_t geometry = 0; with_geometry && geometry <= kMost; geometry += kStep) consider({start.slope, geometry});
+    const Strength halfway = best;
+    for (uint8_t slope = 0; slope <= kMost; slope += kStep) consider({slope, halfway.geometry});
   }
-  return choice;
+  return best;
 }
 
-void Residuals::finish(PageData& page) const {
+void Residuals::chooseParameters(PageData& page) const {
   using Kind = Residual::Kind;
   auto& parameters = page.parameters;
-  parameters[format::kLaplacian] = bestLaplacian(Kind::kPosition, 0);
-  parameters[format::kPositionBias] = seriesOf(Kind::kPosition, 0, parameters[format::kLaplacian]).best(true);
-  parameters[format::kNormalLaplacian] = bestLaplacian(Kind::kNormal, 0);
-  parameters[format::kNormalShift] = seriesOf(Kind::kNormal, 0, parameters[format::kNormalLaplacian]).best(false);
-  parameters[format::kTangentShift] = seriesOf(Kind::kTangent, 0, 0).best(false);
-  for (uint32_t set = 0; set < 8; ++set) {
-    parameters[format::kUvLaplacian0 + set] = bestLaplacian(Kind::kUv, set);
-    parameters[format::kUvBias0 + set] = seriesOf(Kind::kUv, set, parameters[format::kUvLaplacian0 + set]).best(true);
-  }
+  auto choose = [&](Kind kind, uint32_t set, uint32_t slope_at, uint32_t geometry_at, uint32_t low_at, bool adaptive) {
+    // Small differences may be dear all the same: where most are equal, a prediction scatters them.
+    Strength strength = bestStrength(kind, set, geometry_at != kNone);
+    bake::Series::Choice low = seriesOf(kind, set, strength).best(adaptive);
+    const bake::Series::Choice low_of_none = seriesOf(kind, set, {}).best(adaptive);
+    if (low_of_none.bits <= low.bits) strength = {}, low = low_of_none;
+    parameters[slope_at] = strength.slope;
+    if (geometry_at != kNone) parameters[geometry_at] = strength.geometry;
+    parameters[low_at] = low.bias;
+  };
+  const Strength mean = bestStrength(Kind::kPosition, 0, false);
+  parameters[format::kPositionMean] = mean.slope;
+  parameters[format::kPositionBias] = seriesOf(Kind::kPosition, 0, mean, Part::kAcross).best(true).bias;
+  parameters[format::kHeightBias] = seriesOf(Kind::kPosition, 0, mean, Part::kHeight).best(true).bias;
+  choose(Kind::kNormal, 0, format::kNormalGradient, format::kNormalGeometry, format::kNormalShift, false);
+  choose(Kind::kTangent, 0, format::kTangentGradient, kNone, format::kTangentShift, false);
+  choose(Kind::kSkin, 0, format::kSkinGradient, kNone, format::kSkinShift, false);
+  for (uint32_t set = 0; set < kMaxUvSets; ++set)
+    choose(Kind::kUv, set, format::kUvGradient0 + set, kNone, format::kUvBias0 + set, true);
+}
 
+void Residuals::fillStreams(PageData& page) const {
+  const auto& parameters = page.parameters;
   BitWriter low_bits;
-  auto put = [&](const Residual& item, StreamData::Attribute& attribute, int32_t laplacian, int32_t low) {
-    const auto values = predicted(item, laplacian);
-    for (uint32_t i = 0; i < item.components; ++i) {
-      attribute.values.push_back(values[i] >> low);
-      low_bits.write(static_cast<uint32_t>(values[i]), low);
-    }
+  auto putValue = [&](int32_t value, StreamData::Attribute& attribute, int32_t low) {
+    attribute.values.push_back(value >> low);
+    low_bits.write(static_cast<uint32_t>(value), low);
+  };
+  auto put = [&](const Residual& item, StreamData::Attribute& attribute, Strength strength, int32_t low) {
+    const auto values = residualOf(item, strength.slope, strength.geometry);
+    for (uint32_t i = 0; i < item.components; ++i) putValue(values[i], attribute, low);
+  };
+  auto putPosition = [&](const Residual& item) {
+    const auto values = residualOf(item, parameters[format::kPositionMean], 0);
+    auto& splits = page.streams[format::kSplits].attributes;
+    const int32_t low = format::lowBits(item.extent, parameters[format::kPositionBias]);
+    for (uint32_t i = 0; i < 2; ++i) putValue(values[i], splits[format::kSplitPosition], low);
+    putValue(values[2], splits[format::kSplitPositionHeight],
+             format::lowBits(item.extent, parameters[format::kHeightBias]));
   };
   for (const Residual& item : items_) {
     switch (item.kind) {
-      case Kind::kPosition:
-        put(item, page.streams[format::kSplits].attributes[4], parameters[format::kLaplacian],
-            format::lowBits(item.extent, parameters[format::kPositionBias]));
+      case Residual::Kind::kPosition:
+        putPosition(item);
         break;
-      case Kind::kNormal:
-        put(item, page.streams[format::kNormals].attributes[0], parameters[format::kNormalLaplacian],
+      case Residual::Kind::kNormal:
+        put(item, page.streams[format::kNormals].attributes[0],
+            {parameters[format::kNormalGradient], parameters[format::kNormalGeometry]},
             parameters[format::kNormalShift]);
         break;
-      case Kind::kTangent:
-        put(item, page.streams[format::kTangents].attributes[0], 0, parameters[format::kTangentShift]);
+      case Residual::Kind::kTangent:
+        put(item, page.streams[format::kTangents].attributes[0], {parameters[format::kTangentGradient]},
+            parameters[format::kTangentShift]);
         break;
-      case Kind::kUv:
-        put(item, page.streams[format::kUv0 + item.set].attributes[0], parameters[format::kUvLaplacian0 + item.set],
+      case Residual::Kind::kSkin:
+        put(item, page.streams[format::kSkinD].attributes[0], {parameters[format::kSkinGradient]},
+            parameters[format::kSkinShift]);
+        break;
+      case Residual::Kind::kUv:
+        put(item, page.streams[format::kUv0 + item.set].attributes[0], {parameters[format::kUvGradient0 + item.set]},
             format::lowBits(item.extent, parameters[format::kUvBias0 + item.set]));
         break;
-      case Kind::kExtra:
-        put(item, page.streams[format::kExtras].attributes[0], 0, static_cast<int32_t>(item.extent));
+      case Residual::Kind::kExtra:
+        put(item, page.streams[format::kExtras].attributes[0], {}, static_cast<int32_t>(item.extent));
         break;
     }
   }
   page.low_bits = low_bits.bytes();
+}
+
+void Residuals::finish(PageData& page) const {
+  chooseParameters(page);
+  fillStreams(page);
 }
 
 }  // namespace lithe::bake

@@ -12,18 +12,22 @@
 
 namespace lithe::bake {
 
-/// A difference between two children and what its prediction depends on: sums over either child's neighbours.
+/// A difference between two children and what it may be predicted from.
 struct Residual {
-  enum class Kind : uint8_t { kPosition, kNormal, kTangent, kUv, kExtra };
+  enum class Kind : uint8_t { kPosition, kNormal, kTangent, kUv, kExtra, kSkin };
   Kind kind = Kind::kPosition;
   uint8_t set = 0;         ///< uv set
   uint8_t components = 1;  ///< of the arrays below
   std::array<int32_t, 3> difference{};
-  std::array<int64_t, 3> sum_a{}, sum_b{};
-  int64_t count_a = 0, count_b = 0;
+  std::array<format::Slope, 3> slope{};  ///< of the neighbourhoods' means (positions) or over the ring
+  std::array<int64_t, 3> normal{};       ///< of the ring (positions)
+  std::array<int32_t, 3> geometry{};     ///< of the area normals (normals)
   uint32_t extent =
       0;  ///< the number of low bits follows it: the ring's size, |D| for uvs; the number itself for extras
 };
+
+/// The number of low bits with which values take the fewest bits: high parts entropy coded, low bits raw.
+uint8_t bestShift(const std::vector<int32_t>& values);
 
 class Residuals {
  public:
@@ -34,8 +38,14 @@ class Residuals {
 
  private:
   struct Series;
-  Series seriesOf(Residual::Kind kind, uint32_t set, int32_t laplacian) const;
-  uint8_t bestLaplacian(Residual::Kind kind, uint32_t set) const;
+  struct Strength {
+    uint8_t slope = 0, geometry = 0;
+  };
+  enum class Part { kAll, kAcross, kHeight };
+  Series seriesOf(Residual::Kind kind, uint32_t set, Strength strength, Part part = Part::kAll) const;
+  Strength bestStrength(Residual::Kind kind, uint32_t set, bool with_geometry) const;
+  void chooseParameters(PageData& page) const;
+  void fillStreams(PageData& page) const;
 
   std::vector<Residual> items_;
 };

@@ -53,9 +53,17 @@ bool ruleGives(const JointList& list, const QuantizedSkin& parent, const Quantiz
 
 }  // namespace
 
+format::Slope SkinSlopes::of(uint16_t joint) const {
+  if (neighbours_.empty()) return {};
+  const int32_t at_parent = weightOf(*parent_, joint);
+  format::Moment moment;
+  for (const Neighbour& neighbour : neighbours_) moment.add(neighbour.r, weightOf(*neighbour.skin, joint) - at_parent);
+  return gradient_.of(moment);
+}
+
 void encodeSkins(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b, int32_t t8,
-                 uint32_t weight_one, PageData& page) {
-  auto& modes = page.streams[format::kSplits].attributes[3].values;
+                 uint32_t weight_one, const SkinSlopes& slopes, PageData& page, Residuals& residuals) {
+  auto& modes = page.streams[format::kSplits].attributes[format::kSplitSkin].values;
   if (a == parent && b == parent) {
     modes.push_back(format::kSkinSame);
     return;
@@ -69,7 +77,11 @@ void encodeSkins(const QuantizedSkin& parent, const QuantizedSkin& a, const Quan
   // The last difference follows from the sum, so a single joint costs nothing.
   for (size_t i = 0; i + 1 < list.joints.size(); ++i) {
     const int32_t of_b = weightOf(b, list.joints[i]);
-    page.streams[format::kSkinD].put(weightOf(a, list.joints[i]) - of_b);
+    Residual residual;
+    residual.kind = Residual::Kind::kSkin;
+    residual.difference[0] = weightOf(a, list.joints[i]) - of_b;
+    residual.slope[0] = slopes.of(list.joints[i]);
+    residuals.add(residual);
     if (!rule) page.streams[format::kSkinE].put(of_b - weightOf(parent, list.joints[i]));
   }
 }

@@ -7,7 +7,6 @@
 
 #include "lithe/bake/octahedral_difference.h"
 #include "lithe/format/placement.h"
-#include "skin_code.h"
 
 namespace lithe::bake {
 namespace {
@@ -75,10 +74,11 @@ void SplitEncoder::split(uint32_t node) {
 
   writeConnectivity(plan, fan, ring);
   writePosition(hierarchy_node, plan, fan);
+  const SkinSlopes slopes = skinSlopes(node, plan, fan);
   writeWedges(node, plan, fan);
   addFaces(node, plan, fan, ring);
   encodeSkins(cut_.h.skin[hierarchy_node], cut_.h.skin[plan.a], cut_.h.skin[plan.b], plan.t8, settings_.weight_one,
-              page_);
+              slopes, page_, residuals_);
   cut_.node_split[node] = 1;
 }
 
@@ -153,8 +153,8 @@ bool SplitEncoder::tryRing(Plan& plan, const format::Fan& fan, const format::Rin
 
 void SplitEncoder::writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
   auto& splits = page_.streams[format::kSplits].attributes;
-  splits[0].values.push_back(plan.t8);
-  splits[2].values.push_back(plan.mode);
+  splits[format::kSplitT8].values.push_back(plan.t8);
+  splits[format::kSplitMode].values.push_back(plan.mode);
   const bool listed = ring.kind == format::RingKind::kIrregular || plan.mode == format::kModeGeneral;
   if (!listed) {
     const uint32_t first = plan.faces[0].ring_at;
@@ -192,12 +192,15 @@ void SplitEncoder::writeConnectivity(const Plan& plan, const format::Fan& fan, c
 
 void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) {
   const Hierarchy& h = cut_.h;
-  Residual residual;
-  residual.components = 3;
+  std::array<int64_t, 3> sum_a{}, sum_b{};
+  int64_t count_a = 0, count_b = 0;
   glm::ivec3 least = h.position[hierarchy_node], greatest = least;
+  format::AreaNormal normal;
   for (uint32_t i = 0; i < fan.count; ++i) {
-    auto& sum = plan.at_b[i] ? residual.sum_b : residual.sum_a;
-    (plan.at_b[i] ? residual.count_b : residual.count_a) += 2;
+    normal.add(positionOf(hierarchy_node), positionOf(cut_.node_hierarchy[fan.next[i]]),
+               positionOf(cut_.node_hierarchy[fan.previous[i]]));
+    auto& sum = plan.at_b[i] ? sum_b : sum_a;
+    (plan.at_b[i] ? count_b : count_a) += 2;
     for (uint32_t neighbour : {fan.next[i], fan.previous[i]}) {
       const glm::ivec3 p = h.position[cut_.node_hierarchy[neighbour]];
       for (int c = 0; c < 3; ++c) sum[c] += p[c];
@@ -206,15 +209,26 @@ void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, cons
     }
   }
   const glm::ivec3 spread = greatest - least, b = h.position[plan.b], d = h.position[plan.a] - b;
+  Residual residual;
+  residual.components = 3;
   residual.extent = static_cast<uint32_t>(std::max({spread.x, spread.y, spread.z}));
   residual.difference = {d.x, d.y, d.z};
+  for (size_t c = 0; c < 3; ++c) residual.slope[c] = format::meanDifference(sum_a[c], count_a, sum_b[c], count_b);
+  residual.normal = {normal.x, normal.y, normal.z};
   residuals_.add(residual);
+  const glm::ivec3 size = glm::abs(d);
+  extent_ = std::max(residual.extent, static_cast<uint32_t>(std::max({size.x, size.y, size.z})));
 
   const format::Int3 difference{d.x, d.y, d.z};
   const format::Int3 centre = format::pointBetween({b.x, b.y, b.z}, difference, plan.t8);
   const int32_t step = format::latticeStep(difference, settings_.placement_shift);
   const glm::ivec3 k = (h.position[hierarchy_node] - glm::ivec3(centre.x, centre.y, centre.z)) / step;
-  for (int c = 0; c < 3; ++c) page_.streams[format::kSplits].attributes[1].values.push_back(k[c]);
+  const format::Plane across(d.x, d.y, d.z);
+  const int32_t k_across[2] = {k[static_cast<int>(across.across[0])], k[static_cast<int>(across.across[1])]};
+  auto& splits = page_.streams[format::kSplits].attributes;
+  for (int32_t index : k_across) splits[format::kSplitLattice].values.push_back(index);
+  splits[format::kSplitLatticeHeight].values.push_back(
+      static_cast<int32_t>(k[static_cast<int>(across.axis)] + across.lift(k_across[0], k_across[1])));
 }
 
 std::vector<uint32_t> SplitEncoder::membersOf(uint32_t hierarchy_wedge, uint32_t child) const {
@@ -222,6 +236,21 @@ std::vector<uint32_t> SplitEncoder::membersOf(uint32_t hierarchy_wedge, uint32_t
   for (uint32_t w = cut_.h.first_wedge[child]; w < cut_.h.first_wedge[child + 1]; ++w)
     if (cut_.h.wedge_parent[w] == hierarchy_wedge) members.push_back(w);
   return members;
+}
+
+void SplitEncoder::writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan,
+                              const format::Fan& fan) {
+  bool at[2] = {false, false};
+  for (uint32_t i = 0; i < fan.count; ++i)
+    if (cut_.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3] == wedge) at[plan.at_b[i] ? 1 : 0] = true;
+  int32_t code = 0;
+  for (; code < format::kClassListed; ++code) {
+    const format::ClassCounts counts = format::classCounts(code, at[0], at[1]);
+    if (counts.a == count_a && counts.b == count_b) break;
+  }
+  page_.streams[at[0] == at[1] ? format::kClassesBoth : format::kClassesOne].put(code);
+  if (code < format::kClassListed) return;
+  for (size_t count : {count_a, count_b}) page_.streams[format::kMemberPicks].put(static_cast<int32_t>(count));
 }
 
 // The children's wedges are numbered class by class, child A's before child B's.
@@ -234,14 +263,7 @@ void SplitEncoder::writeWedges(uint32_t node, const Plan& plan, const format::Fa
     of_b.push_back(membersOf(cut_.wedge_hierarchy[w], plan.b));
     wedges_a.insert(wedges_a.end(), of_a.back().begin(), of_a.back().end());
     wedges_b.insert(wedges_b.end(), of_b.back().begin(), of_b.back().end());
-    int32_t code = 0;
-    while (code < format::kClassListed &&
-           (format::kClassA[code] != of_a.back().size() || format::kClassB[code] != of_b.back().size()))
-      ++code;
-    page_.streams[format::kWedgeClasses].put(code);
-    if (code == format::kClassListed)
-      for (size_t count : {of_a.back().size(), of_b.back().size()})
-        page_.streams[format::kMemberPicks].put(static_cast<int32_t>(count));
+    writeClass(w, of_a.back().size(), of_b.back().size(), plan, fan);
   }
   for (uint32_t w = first; w < end; ++w) writeAttributes(w, of_a[w - first], of_b[w - first], plan, fan);
   cut_.addNode(plan.a, wedges_a);
@@ -255,43 +277,97 @@ format::Int2 SplitEncoder::directionDifference(uint32_t at, uint32_t parent, uin
   return *d;
 }
 
-// Sums of two entries of the records at the other corners of the fan's faces in one class.
-void SplitEncoder::sumNeighbours(uint32_t wedge, uint32_t at, const Plan& plan, const format::Fan& fan,
-                                 Residual& residual) const {
-  const uint32_t node = cut_.wedge_node[wedge];
-  if (cut_.node_first_wedge[node + 1] - cut_.node_first_wedge[node] > format::kMaxPredictedClasses) return;
+SplitEncoder::Ring SplitEncoder::ringOf(uint32_t wedge, const Plan& plan, const format::Fan& fan) const {
+  Ring ring;
+  if (fan.count == 0 || fan.count > format::kMaxRing) return ring;
+  const uint32_t node = cut_.cornerNode(fan.corner[0]);
+  if (wedge != kNone && cut_.node_first_wedge[node + 1] - cut_.node_first_wedge[node] > format::kMaxPredictedClasses)
+    return ring;
+  const format::Int3 w = positionOf(cut_.node_hierarchy[node]);
+  const int32_t shift = format::gradientShift(extent_);
+  format::GradientSums sums;
   for (uint32_t i = 0; i < fan.count; ++i) {
     const auto& face = cut_.face_wedges[fan.corner[i] / 3];
     const uint32_t k = fan.corner[i] % 3;
-    if (face[k] != wedge) continue;
-    auto& sum = plan.at_b[i] ? residual.sum_b : residual.sum_a;
-    (plan.at_b[i] ? residual.count_b : residual.count_a) += 2;
-    for (uint32_t neighbour : {face[(k + 1) % 3], face[(k + 2) % 3]})
-      for (uint32_t c = 0; c < 2; ++c) sum[c] += attributes(cut_.wedge_hierarchy[neighbour])[at + c];
+    if (wedge != kNone && face[k] != wedge) continue;
+    for (uint32_t neighbour : {face[(k + 1) % 3], face[(k + 2) % 3]}) {
+      const format::Int3 p = positionOf(cut_.node_hierarchy[cut_.wedge_node[neighbour]]);
+      ring.neighbours.push_back({format::shifted(format::minus(p, w), shift), neighbour});
+      sums.add(ring.neighbours.back().r);
+    }
   }
+  const format::Int3 d = format::minus(positionOf(plan.a), positionOf(plan.b));
+  ring.gradient = format::solveGradient(sums, format::shifted(d, shift));
+  if (wedge != kNone && settings_.has.normals) ring.normal_difference = normalDifference(wedge, plan, fan);
+  return ring;
+}
+
+// Of the children's faces: those of the fan at one wedge, and the new ones at the cut.
+format::Int2 SplitEncoder::normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan) const {
+  const format::Int3 a = positionOf(plan.a), b = positionOf(plan.b);
+  format::AreaNormal normal_a, normal_b;
+  for (uint32_t i = 0; i < fan.count; ++i) {
+    if (cut_.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3] != wedge) continue;
+    const format::Int3 next = positionOf(cut_.node_hierarchy[fan.next[i]]),
+                       previous = positionOf(cut_.node_hierarchy[fan.previous[i]]);
+    if (plan.at_b[i])
+      normal_b.add(b, next, previous);
+    else
+      normal_a.add(a, next, previous);
+  }
+  for (const NewFace& face : plan.faces) {
+    if (face.ring_at == kNone) continue;
+    const format::Int3 third = positionOf(cut_.node_hierarchy[face.third]);
+    for (format::AreaNormal* normal : {&normal_a, &normal_b}) {
+      if (face.first_is_a)
+        normal->add(a, third, b);
+      else
+        normal->add(b, third, a);
+    }
+  }
+  return format::normalDifference(normal_a, normal_b, settings_.normal_center);
+}
+
+format::Slope SplitEncoder::slopeOf(const Ring& ring, uint32_t parent, uint32_t at) const {
+  format::Moment moment;
+  for (const Neighbour& neighbour : ring.neighbours)
+    moment.add(neighbour.r, attributes(cut_.wedge_hierarchy[neighbour.wedge])[at] - attributes(parent)[at]);
+  return ring.gradient.of(moment);
+}
+
+SkinSlopes SplitEncoder::skinSlopes(uint32_t node, const Plan& plan, const format::Fan& fan) const {
+  const Ring ring = ringOf(kNone, plan, fan);
+  SkinSlopes slopes(ring.gradient, cut_.h.skin[cut_.node_hierarchy[node]]);
+  for (const Neighbour& neighbour : ring.neighbours)
+    slopes.addNeighbour(neighbour.r, cut_.h.skin[cut_.node_hierarchy[cut_.wedge_node[neighbour.wedge]]]);
+  return slopes;
 }
 
 void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
                                    const Plan& plan, const format::Fan& fan) {
   const WedgeRecord& record = cut_.h.record;
   const uint32_t parent = cut_.wedge_hierarchy[wedge];
-  auto pair = [](Residual::Kind kind, uint32_t set, format::Int2 d) {
-    Residual residual;
-    residual.kind = kind;
-    residual.set = static_cast<uint8_t>(set);
-    residual.components = 2;
-    residual.difference = {d.x, d.y, 0};
-    return residual;
-  };
   if (!of_a.empty() && !of_b.empty()) {
     const uint32_t a = of_a[0], b = of_b[0];
+    const Ring ring = ringOf(wedge, plan, fan);
+    auto pair = [&](Residual::Kind kind, uint32_t set, uint32_t at, format::Int2 d) {
+      Residual residual;
+      residual.kind = kind;
+      residual.set = static_cast<uint8_t>(set);
+      residual.components = 2;
+      residual.difference = {d.x, d.y, 0};
+      for (uint32_t c = 0; c < 2; ++c) residual.slope[c] = slopeOf(ring, parent, at + c);
+      return residual;
+    };
     if (record.normal != kNone) {
-      Residual residual = pair(Residual::Kind::kNormal, 0, directionDifference(record.normal, parent, a, b, plan.t8));
-      sumNeighbours(wedge, record.normal, plan, fan, residual);
+      Residual residual =
+          pair(Residual::Kind::kNormal, 0, record.normal, directionDifference(record.normal, parent, a, b, plan.t8));
+      residual.geometry = {ring.normal_difference.x, ring.normal_difference.y, 0};
       residuals_.add(residual);
     }
     if (record.tangent != kNone) {
-      residuals_.add(pair(Residual::Kind::kTangent, 0, directionDifference(record.tangent, parent, a, b, plan.t8)));
+      residuals_.add(pair(Residual::Kind::kTangent, 0, record.tangent,
+                          directionDifference(record.tangent, parent, a, b, plan.t8)));
       const uint32_t sign = record.tangent + 2;
       page_.streams[format::kTangents].attributes[1].values.push_back(
           (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));
@@ -299,10 +375,9 @@ void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& 
     const glm::ivec3 d = glm::abs(cut_.h.position[plan.a] - cut_.h.position[plan.b]);
     for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) {
       const uint32_t at = record.uv[s];
-      Residual residual = pair(Residual::Kind::kUv, s,
+      Residual residual = pair(Residual::Kind::kUv, s, at,
                                {attributes(a)[at] - attributes(b)[at], attributes(a)[at + 1] - attributes(b)[at + 1]});
       residual.extent = static_cast<uint32_t>(std::max({d.x, d.y, d.z}));
-      sumNeighbours(wedge, at, plan, fan, residual);
       residuals_.add(residual);
     }
     for (uint32_t s = 0; s < settings_.has.color_sets; ++s)

@@ -7,6 +7,7 @@
 #include "lithe/format/octahedral.h"
 #include "page_streams.h"
 #include "residuals.h"
+#include "skin_code.h"
 
 namespace lithe::bake {
 
@@ -55,10 +56,29 @@ class SplitEncoder {
   void writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring);
   void writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
   void writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan);
+  void writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan, const format::Fan& fan);
   void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
                        const Plan& plan, const format::Fan& fan);
   format::Int2 directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, int32_t t8) const;
-  void sumNeighbours(uint32_t wedge, uint32_t at, const Plan& plan, const format::Fan& fan, Residual& residual) const;
+  /// A neighbour of the split node: its position relative to the node's, shifted, and its wedge.
+  struct Neighbour {
+    format::Int3 r;
+    uint32_t wedge;
+  };
+  /// The corners of a fan at one wedge of the split node (kNone: at all of them), as predictions use them.
+  struct Ring {
+    std::vector<Neighbour> neighbours;
+    format::Gradient gradient;
+    format::Int2 normal_difference{0, 0};
+  };
+  Ring ringOf(uint32_t wedge, const Plan& plan, const format::Fan& fan) const;
+  format::Int2 normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan) const;
+  format::Slope slopeOf(const Ring& ring, uint32_t parent, uint32_t at) const;
+  SkinSlopes skinSlopes(uint32_t node, const Plan& plan, const format::Fan& fan) const;
+  format::Int3 positionOf(uint32_t hierarchy_node) const {
+    const glm::ivec3& p = cut_.h.position[hierarchy_node];
+    return {p.x, p.y, p.z};
+  }
   void moveFan(const Plan& plan, const format::Fan& fan);
   void addFaces(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
   void pick(format::SplitStream stream, uint32_t index, uint32_t count) {
@@ -76,6 +96,7 @@ class SplitEncoder {
   PageData page_;
   Residuals residuals_;
   uint64_t work_ = 0;
+  uint32_t extent_ = 0;  ///< of the ring and of D, for the node that is being split
 };
 
 }  // namespace lithe::bake

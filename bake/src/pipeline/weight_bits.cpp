@@ -38,7 +38,7 @@ uint32_t chooseWeightBits(const Model& model, const std::vector<Pose>& poses, ui
   const double spread = count ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
   const double step = posedDiagonal(model, poses) / std::exp2(position_bits);
   uint32_t bits = kLeastWeightBits;
-  while (bits < kMostWeightBits && spread / std::exp2(bits) > step) ++bits;
+  while (bits < kMostWeightBits && spread / std::exp2(bits) > 2.0 * step) ++bits;
   return bits;
 }
 

@@ -12,8 +12,8 @@ namespace lithe::bake {
 inline constexpr uint32_t kLeastWeightBits = 8, kMostWeightBits = 12;
 
 /// The fewest bits with which rounding a weight moves a posed vertex no further, in the root mean square over vertices
-/// and poses, than one step of the position grid: 8 suffice for most characters, wide smooth blends between joints that
-/// move far apart need more.
+/// and poses, than two steps of the position grid: 8 suffice for most characters, wide smooth blends between joints
+/// that move far apart need more.
 uint32_t chooseWeightBits(const Model& model, const std::vector<Pose>& poses, uint32_t position_bits);
 
 }  // namespace lithe::bake

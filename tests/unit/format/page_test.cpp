@@ -105,10 +105,19 @@ TEST(PageSpecification, ParametersAreCountedAndNamedInOrder) {
 
 TEST(PageSpecification, WedgeClasses) {
   const std::vector<SpecRow> rows = spec().table("4.4 Wedges and attributes");
-  ASSERT_EQ(rows.size(), 1u);
-  ASSERT_EQ(rows[0].size(), size_t{kClassListed} + 2);
-  for (uint32_t code = 0; code < uint32_t{kClassListed}; ++code)
-    EXPECT_EQ(numbersIn(rows[0][code + 1]), (std::vector<uint64_t>{kClassA[code], kClassB[code]})) << code;
+  ASSERT_EQ(rows.size(), 2u);
+  for (int32_t code = 0; code < kClassListed; ++code) {
+    auto counts = [&](bool at_a, bool at_b) {
+      const ClassCounts found = classCounts(code, at_a, at_b);
+      return std::vector<uint64_t>{found.a, found.b};
+    };
+    const std::vector<uint64_t> both = numbersIn(rows[0][static_cast<size_t>(code) + 1]);
+    const std::vector<uint64_t> near_far = numbersIn(rows[1][static_cast<size_t>(code) + 1]);
+    EXPECT_EQ(both, counts(true, true)) << code;
+    EXPECT_EQ(both, counts(false, false)) << code;
+    EXPECT_EQ(near_far, counts(true, false)) << code;
+    EXPECT_EQ((std::vector<uint64_t>{near_far[1], near_far[0]}), counts(false, true)) << code;
+  }
 }
 
 TEST(PageStreams, AnAssetWithoutAnAttributeHasNoStreamForIt) {
@@ -138,37 +147,6 @@ TEST(PageArithmetic, LowBitsFollowTheExtentWithinTheirRange) {
   EXPECT_EQ(lowBits(100, 7), 0);
   EXPECT_EQ(lowBits(100, 31), 0);
   EXPECT_EQ(lowBits(0xffffffffu, 0), static_cast<int32_t>(kLowBitsMax));
-}
-
-TEST(PageArithmetic, FloorDivideRoundsTowardsMinusInfinity) {
-  EXPECT_EQ(floorDivide(7, 2), 3);
-  EXPECT_EQ(floorDivide(-7, 2), -4);
-  EXPECT_EQ(floorDivide(-8, 2), -4);
-  EXPECT_EQ(floorDivide(-1, 1000), -1);
-  EXPECT_EQ(floorDivide(0, 5), 0);
-  for (int64_t b = 1; b <= 17; ++b)
-    for (int64_t a = -200; a <= 200; ++a) {
-      const int64_t q = floorDivide(a, b);
-      ASSERT_TRUE(q * b <= a && a < (q + 1) * b) << a << " / " << b;
-    }
-}
-
-TEST(PageArithmetic, PredictionIsTheDifferenceOfTheMeans) {
-  // Means 10 and 4; all sixteen sixteenths, a half, none.
-  EXPECT_EQ(predictDifference(40, 4, 8, 2, 16), 6);
-  EXPECT_EQ(predictDifference(40, 4, 8, 2, 8), 3);
-  EXPECT_EQ(predictDifference(40, 4, 8, 2, 0), 0);
-  EXPECT_EQ(predictDifference(8, 2, 40, 4, 8), -3);
-  EXPECT_EQ(predictDifference(8, 2, 41, 4, 8), -4);  // -3.125
-  EXPECT_EQ(predictDifference(40, 4, 0, 0, 16), 0);
-  EXPECT_EQ(predictDifference(0, 0, 40, 4, 16), 0);
-}
-
-TEST(PageArithmetic, PredictionHoldsTheLargestFan) {
-  // 2^18 corners at 2^16: the sums of 4.3 at their largest.
-  constexpr int64_t kCount = 2 << 18, kSum = kCount * 65535;
-  EXPECT_EQ(predictDifference(kSum, kCount, 0, kCount, 32), 2 * 65535);
-  EXPECT_EQ(predictDifference(0, kCount, kSum, kCount, 32), -2 * 65535);
 }
 
 TEST(PageArithmetic, PairsAreNumberedOnceEach) {

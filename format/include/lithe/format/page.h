@@ -9,6 +9,8 @@
 
 #include <stdint.h>
 
+#include "lithe/format/prediction.h"
+
 namespace lithe::format {
 
 // ---- Layout ----
@@ -28,7 +30,7 @@ enum BaseStream : uint32_t {
 enum SplitStream : uint32_t {
   kFlagsOld,  ///< per node of an earlier level: split (1) or not (0)
   kFlagsNew,  ///< per node created by this level: split or not
-  kSplits,    ///< per split: t8 | lattice k x y z | mode | skin mode | D residual high parts x y z
+  kSplits,    ///< per split: t8 | lattice k across | lattice height | mode | skin mode | D residual across | height
   kCut3,      ///< per split with a closed ring of 3 edges: the pair of cut vertices; likewise 4, 5, 6, 7, 8, 9 or more
   kCut4,
   kCut5,
@@ -36,22 +38,34 @@ enum SplitStream : uint32_t {
   kCut7,
   kCut8,
   kCut9,
-  kCutOpen,       ///< cut vertices of open rings
-  kGeneral,       ///< the corners of child B and the new faces of irregular splits
-  kWedgeClasses,  ///< per wedge of a split node: how many wedges each child gets
-  kClassPicks,    ///< per new face: which wedge of the split node, where it has several
-  kMemberPicks,   ///< which wedge of a class at a child, where it has several
-  kThirdPicks,    ///< per new face: which wedge of its third node, where it has several
-  kNormals,       ///< per united wedge: high parts x y
-  kTangents,      ///< per united wedge: high parts x y | sign flip
-  kColors,        ///< per united wedge and set: r g b a
-  kSkinD,         ///< differences of the children's weights
-  kSkinE,         ///< difference of child B's weights to the parent's, where the skin is free
-  kSkinNew,       ///< counts of joints the parent lacks, and their ids
-  kExtraMasks,    ///< per further wedge of a class: which attributes differ from the first one's
-  kExtras,        ///< the differences, high parts
-  kUv0,           ///< per united wedge: high parts x y; one stream per uv set
+  kCutOpen,      ///< cut vertices of open rings
+  kGeneral,      ///< the corners of child B and the new faces of irregular splits
+  kClassesBoth,  ///< per wedge of a split node with corners at both children: how many wedges each child gets
+  kClassesOne,   ///< the same for a wedge with corners at one child
+  kClassPicks,   ///< per new face: which wedge of the split node, where it has several
+  kMemberPicks,  ///< which wedge of a class at a child, where it has several
+  kThirdPicks,   ///< per new face: which wedge of its third node, where it has several
+  kNormals,      ///< per united wedge: high parts x y
+  kTangents,     ///< per united wedge: high parts x y | sign flip
+  kColors,       ///< per united wedge and set: r g b a
+  kSkinD,        ///< differences of the children's weights
+  kSkinE,        ///< difference of child B's weights to the parent's, where the skin is free
+  kSkinNew,      ///< counts of joints the parent lacks, and their ids
+  kExtraMasks,   ///< per further wedge of a class: which attributes differ from the first one's
+  kExtras,       ///< the differences, high parts
+  kUv0,          ///< per united wedge: high parts x y; one stream per uv set
   kSplitStreamCount = kUv0 + 8
+};
+
+/// The attributes of kSplits.
+enum SplitAttribute : uint32_t {
+  kSplitT8,
+  kSplitLattice,
+  kSplitLatticeHeight,
+  kSplitMode,
+  kSplitSkin,
+  kSplitPosition,
+  kSplitPositionHeight
 };
 
 /// One attribute of a stream's records. Unsigned values are >= 0.
@@ -94,10 +108,12 @@ constexpr uint32_t splitStreamAttributes(uint32_t stream, WedgeAttributes has, S
   uint32_t n = 0;
   if (stream == kSplits) {
     out[n++] = {1, true};   // t8
-    out[n++] = {3, false};  // lattice k
+    out[n++] = {2, false};  // lattice k across D
+    out[n++] = {1, false};  // lattice k along D
     out[n++] = {1, true};   // mode
     out[n++] = {1, true};   // skin mode
-    out[n++] = {3, false};  // D residual, high parts
+    out[n++] = {2, false};  // D residual in the ring's plane, high parts
+    out[n++] = {1, false};  // D residual off it, high parts
   } else if (stream == kNormals) {
     if (has.normals) out[n++] = {2, false};
   } else if (stream == kTangents) {
@@ -114,18 +130,23 @@ constexpr uint32_t splitStreamAttributes(uint32_t stream, WedgeAttributes has, S
 
 /// Page parameters, one byte each; those of attributes that the asset lacks are zero.
 enum Parameter : uint32_t {
-  kLaplacian,        ///< prediction of D: sixteenths of the difference of the children's neighbourhoods [0, 32]
+  kPositionMean,     ///< prediction of D: sixteenths of the difference of the children's neighbourhoods [0, 32]
   kPositionBias,     ///< low bits of a D residual = max(0, bit length of the ring's extent - bias) [0, 31]
-  kNormalLaplacian,  ///< the same prediction for normals, per class [0, 32]
+  kHeightBias,       ///< the same for its height over the ring's plane
+  kNormalGradient,   ///< prediction of normals: sixteenths of the slope over the ring [0, 32]
+  kNormalGeometry,   ///< and of the difference of the children's area normals [0, 32]
   kNormalShift,      ///< low bits of a normal's residual [0, 15]
-  kTangentShift,     ///< low bits of a tangent's difference [0, 15]
-  kUvLaplacian0,     ///< the same prediction for uvs; one byte per uv set
-  kUvBias0 =
-      kUvLaplacian0 + 8,  ///< low bits of a uv residual = max(0, bit length of |D| - bias) [0, 31]; one per uv set
+  kTangentGradient,  ///< as for normals
+  kTangentShift,
+  kSkinGradient,                ///< prediction of weights: sixteenths of the slope over the ring [0, 32]
+  kSkinShift,                   ///< low bits of a weight's residual [0, 15]
+  kUvGradient0,                 ///< prediction of uvs; one byte per uv set
+  kUvBias0 = kUvGradient0 + 8,  ///< low bits of a uv residual = max(0, bit length of |D| - bias) [0, 31]; one per set
   kParameterBytes = kUvBias0 + 8
 };
 
-/// Nodes with more wedges than this are split without prediction of normals and uvs, which bounds the reader's work.
+/// Nodes with more wedges than this, or with a fan of more than kMaxRing corners, are split without prediction of
+/// attributes, which bounds the reader's work.
 inline constexpr uint32_t kMaxPredictedClasses = 8;
 
 inline constexpr uint32_t kLowBitsMax = 15;
@@ -151,23 +172,26 @@ enum SkinMode : int32_t {
 
 // ---- Arithmetic ----
 
-/// Number of bits of v >= 0: 0 for 0, 1 for 1, 2 for 2 and 3, ...
-constexpr int32_t bitLength(uint32_t v) {
-  int32_t bits = 0;
-  for (; v; v >>= 1) ++bits;
-  return bits;
-}
-
 constexpr int32_t lowBits(uint32_t extent, uint32_t bias) {
   const int32_t bits = bitLength(extent) - static_cast<int32_t>(bias);
   return bits < 0 ? 0 : bits > static_cast<int32_t>(kLowBitsMax) ? static_cast<int32_t>(kLowBitsMax) : bits;
 }
 
-/// Wedges of child A and child B that a parent wedge stands for, by class code; codes from kClassListed on are followed
-/// by the two counts in kMemberPicks.
-inline constexpr uint8_t kClassA[6] = {1, 1, 0, 2, 1, 2};
-inline constexpr uint8_t kClassB[6] = {1, 0, 1, 1, 2, 2};
-inline constexpr int32_t kClassListed = 6;
+/// How many wedges a split node's wedge becomes at either child, by the code in kClassesBoth, or, for a wedge that has
+/// corners at one child only, the near one, by the code in kClassesOne. Code kClassListed is followed by the two counts
+/// in kMemberPicks.
+struct ClassCounts {
+  uint8_t a, b;
+};
+inline constexpr int32_t kClassListed = 4;
+inline constexpr ClassCounts kCountsBoth[kClassListed] = {{1, 1}, {2, 1}, {1, 2}, {2, 2}};
+inline constexpr ClassCounts kCountsNearFar[kClassListed] = {{1, 0}, {1, 1}, {2, 1}, {1, 2}};
+
+constexpr ClassCounts classCounts(int32_t code, bool at_a, bool at_b) {
+  if (at_a == at_b) return kCountsBoth[code];
+  const ClassCounts counts = kCountsNearFar[code];
+  return at_a ? counts : ClassCounts{counts.b, counts.a};
+}
 
 /// Unordered pairs 0 <= p < q < n, numbered by q, then p.
 constexpr uint32_t pairIndex(uint32_t p, uint32_t q) { return q * (q - 1) / 2 + p; }
@@ -257,16 +281,6 @@ inline void buildRing(const Fan& fan, Ring& ring) {
   } while (at != kMaxRing && at != start && length < n);
   if (length != n) return;
   ring.kind = open_ends ? RingKind::kOpen : RingKind::kClosed;
-}
-
-/// floor(a / b) for b > 0.
-constexpr int64_t floorDivide(int64_t a, int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
-
-/// Prediction of D = position(A) - position(B): laplacian / 16 of the difference of the means of the two
-/// neighbourhoods. One component; 0 when a child has no neighbour.
-constexpr int32_t predictDifference(int64_t sum_a, int64_t count_a, int64_t sum_b, int64_t count_b, int32_t laplacian) {
-  if (count_a == 0 || count_b == 0) return 0;
-  return static_cast<int32_t>(floorDivide(laplacian * (sum_a * count_b - sum_b * count_a), 16 * count_a * count_b));
 }
 
 }  // namespace lithe::format

@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
 #include "page_reader.h"
 #include "random.h"
 
@@ -17,21 +22,22 @@ constexpr format::WedgeAttributes kHas{true, true, 2, 0};
 
 Residual randomResidual(test::Random& random) {
   Residual r;
-  r.kind = static_cast<Kind>(random.below(5));
-  r.components = r.kind == Kind::kPosition ? 3 : r.kind == Kind::kExtra ? 1 : 2;
+  r.kind = static_cast<Kind>(random.below(6));
+  r.components = r.kind == Kind::kPosition ? 3 : r.kind == Kind::kExtra || r.kind == Kind::kSkin ? 1 : 2;
   r.set = r.kind == Kind::kUv ? static_cast<uint8_t>(random.below(2)) : uint8_t{0};
   r.extent = r.kind == Kind::kExtra ? (random.chance(50) ? format::kExtraLowBits : 0u) : random.octave(8000);
   const int32_t width = r.kind == Kind::kExtra ? 200 : static_cast<int32_t>(r.extent) / 2;
-  const bool predictable = r.kind != Kind::kExtra && r.kind != Kind::kTangent;
-  if (predictable && random.chance(80)) r.count_a = 2 + random.below(8), r.count_b = 2 + random.below(8);
+  const bool predictable = r.kind != Kind::kExtra && random.chance(80);
   for (uint32_t i = 0; i < r.components; ++i) {
     r.difference[i] = random.between(-width, width);
-    if (r.count_a == 0) continue;
-    // Neighbours that tell half of the difference.
-    const int32_t base = random.between(0, 8000);
-    r.sum_b[i] = r.count_b * base;
-    r.sum_a[i] = r.count_a * (base + r.difference[i] / 2 + random.between(-3, 3));
+    if (!predictable) continue;
+    // A slope that tells half of the difference, and for normals a geometry that tells a quarter.
+    const int64_t den = 1 + random.below(1000);
+    r.slope[i] = {den * (r.difference[i] / 2 + random.between(-3, 3)), den};
+    if (r.kind == Kind::kNormal) r.geometry[i] = r.difference[i] / 4;
   }
+  if (r.kind == Kind::kPosition)
+    r.normal = {random.between(-5000, 5000), random.between(-5000, 5000), random.between(-5000, 5000)};
   return r;
 }
 
@@ -43,6 +49,8 @@ uint32_t streamOf(const Residual& r) {
       return format::kNormals;
     case Kind::kTangent:
       return format::kTangents;
+    case Kind::kSkin:
+      return format::kSkinD;
     case Kind::kUv:
       return format::kUv0 + r.set;
     default:
@@ -50,22 +58,80 @@ uint32_t streamOf(const Residual& r) {
   }
 }
 
-/// Low bits and sixteenths of the prediction that a page's parameters give a residual (docs/format.md, 4.3 and 4.4).
-std::pair<int32_t, int32_t> parametersOf(const PageData& page, const Residual& r) {
+/// What a page's parameters say of a residual (docs/format.md, 4.3, 4.4 and 4.6).
+struct Rule {
+  int32_t low, slope = 0, geometry = 0;
+};
+
+Rule ruleOf(const PageData& page, const Residual& r) {
   const auto& p = page.parameters;
   switch (r.kind) {
     case Kind::kPosition:
-      return {format::lowBits(r.extent, p[format::kPositionBias]), p[format::kLaplacian]};
+      return {format::lowBits(r.extent, p[format::kPositionBias]), p[format::kPositionMean]};
     case Kind::kNormal:
-      return {p[format::kNormalShift], p[format::kNormalLaplacian]};
+      return {p[format::kNormalShift], p[format::kNormalGradient], p[format::kNormalGeometry]};
     case Kind::kTangent:
-      return {p[format::kTangentShift], 0};
+      return {p[format::kTangentShift], p[format::kTangentGradient]};
+    case Kind::kSkin:
+      return {p[format::kSkinShift], p[format::kSkinGradient]};
     case Kind::kUv:
-      return {format::lowBits(r.extent, p[format::kUvBias0 + r.set]), p[format::kUvLaplacian0 + r.set]};
+      return {format::lowBits(r.extent, p[format::kUvBias0 + r.set]), p[format::kUvGradient0 + r.set]};
     default:
-      return {static_cast<int32_t>(r.extent), 0};
+      return {static_cast<int32_t>(r.extent)};
   }
 }
+
+/// Streams, low bits and parameters read back with the rules of the specification.
+class ResidualReader {
+ public:
+  explicit ResidualReader(const PageData& page) : page_(page), low_bits_(page.low_bits) {}
+
+  std::array<int32_t, 3> read(const Residual& r) {
+    const Rule rule = ruleOf(page_, r);
+    std::array<int32_t, 3> value{};
+    if (r.kind == Kind::kPosition)
+      value = readPosition(r, rule.low);
+    else
+      for (uint32_t c = 0; c < r.components; ++c) value[c] = next(streamOf(r), 0, rule.low);
+    for (uint32_t c = 0; c < r.components; ++c) {
+      const double exact = r.slope[c].den > 0 ? rule.slope * static_cast<double>(r.slope[c].num) /
+                                                    (16.0 * static_cast<double>(r.slope[c].den))
+                                              : 0.0;
+      value[c] += static_cast<int32_t>(std::floor(exact)) +
+                  static_cast<int32_t>(std::floor(rule.geometry * r.geometry[c] / 16.0));
+    }
+    return value;
+  }
+
+  bool atEnd() { return low_bits_.atEnd(); }
+
+ private:
+  int32_t next(uint32_t stream, uint32_t attribute, int32_t low) {
+    const int32_t high = page_.streams[stream].attributes[attribute].values.at(at_[{stream, attribute}]++);
+    return high * (1 << low) + static_cast<int32_t>(low_bits_.read(low));
+  }
+
+  /// Two components across the normal's longest axis, then the height over the plane.
+  std::array<int32_t, 3> readPosition(const Residual& r, int32_t low) {
+    size_t m = 0;
+    for (size_t c = 1; c < 3; ++c)
+      if (std::abs(r.normal[c]) > std::abs(r.normal[m])) m = c;
+    const size_t a = m == 0 ? 1 : 0, b = m == 2 ? 1 : 2;
+    std::array<int32_t, 3> value{};
+    value[a] = next(format::kSplits, format::kSplitPosition, low);
+    value[b] = next(format::kSplits, format::kSplitPosition, low);
+    const int32_t low_height = format::lowBits(r.extent, page_.parameters[format::kHeightBias]);
+    value[m] = next(format::kSplits, format::kSplitPositionHeight, low_height);
+    if (r.normal[m] != 0)
+      value[m] -= static_cast<int32_t>(std::floor(static_cast<double>(r.normal[a] * value[a] + r.normal[b] * value[b]) /
+                                                  static_cast<double>(r.normal[m])));
+    return value;
+  }
+
+  const PageData& page_;
+  test::BitReader low_bits_;
+  std::map<std::pair<uint32_t, uint32_t>, size_t> at_;
+};
 
 TEST(Residuals, ComeBackInTheOrderInWhichTheyWereAdded) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
@@ -75,21 +141,13 @@ TEST(Residuals, ComeBackInTheOrderInWhichTheyWereAdded) {
     for (int i = 0; i < 400; ++i) residuals.add(items.emplace_back(randomResidual(random)));
     PageData page = makePage(format::kSplitPage, kHas);
     residuals.finish(page);
-
-    std::vector<size_t> at(page.streams.size(), 0);
-    test::BitReader low_bits(page.low_bits);
+    ResidualReader reader(page);
     for (const Residual& r : items) {
-      const uint32_t stream = streamOf(r);
-      const auto& high = page.streams[stream].attributes[stream == format::kSplits ? 4 : 0].values;
-      const auto [low, laplacian] = parametersOf(page, r);
-      for (uint32_t c = 0; c < r.components; ++c) {
-        const int32_t value = high.at(at[stream]++) * (1 << low) + static_cast<int32_t>(low_bits.read(low));
-        const int32_t predicted =
-            laplacian ? format::predictDifference(r.sum_a[c], r.count_a, r.sum_b[c], r.count_b, laplacian) : 0;
-        ASSERT_EQ(value + predicted, r.difference[c]) << "seed " << seed << " stream " << stream;
-      }
+      const std::array<int32_t, 3> value = reader.read(r);
+      for (uint32_t c = 0; c < r.components; ++c)
+        ASSERT_EQ(value[c], r.difference[c]) << "seed " << seed << " stream " << streamOf(r);
     }
-    EXPECT_TRUE(low_bits.atEnd());
+    EXPECT_TRUE(reader.atEnd());
   }
 }
 
@@ -99,11 +157,14 @@ TEST(Residuals, ParametersStayInTheirRanges) {
   for (int i = 0; i < 300; ++i) residuals.add(randomResidual(random));
   PageData page = makePage(format::kSplitPage, kHas);
   residuals.finish(page);
-  for (uint32_t i : {uint32_t{format::kLaplacian}, uint32_t{format::kNormalLaplacian}, format::kUvLaplacian0 + 1u})
+  for (uint32_t i :
+       {uint32_t{format::kPositionMean}, uint32_t{format::kNormalGradient}, uint32_t{format::kNormalGeometry},
+        uint32_t{format::kTangentGradient}, uint32_t{format::kSkinGradient}, format::kUvGradient0 + 1u})
     EXPECT_LE(page.parameters[i], 32) << i;
-  for (uint32_t i : {uint32_t{format::kPositionBias}, uint32_t{format::kUvBias0}, format::kUvBias0 + 1u})
+  for (uint32_t i : {uint32_t{format::kPositionBias}, uint32_t{format::kHeightBias}, uint32_t{format::kUvBias0},
+                     format::kUvBias0 + 1u})
     EXPECT_LE(page.parameters[i], 31) << i;
-  for (uint32_t i : {uint32_t{format::kNormalShift}, uint32_t{format::kTangentShift}})
+  for (uint32_t i : {uint32_t{format::kNormalShift}, uint32_t{format::kTangentShift}, uint32_t{format::kSkinShift}})
     EXPECT_LE(page.parameters[i], 15) << i;
 }
 
@@ -119,31 +180,89 @@ TEST(Residuals, AbsentAttributesLeaveTheirParametersZero) {
   PageData page = makePage(format::kSplitPage, {false, false, 0, 0});
   residuals.finish(page);
   for (uint32_t i = 0; i < format::kParameterBytes; ++i) {
-    if (i == format::kLaplacian || i == format::kPositionBias) continue;
+    if (i == format::kPositionMean || i == format::kPositionBias || i == format::kHeightBias) continue;
     EXPECT_EQ(page.parameters[i], 0) << i;
   }
 }
 
-// What the prediction is for: where neighbours tell the difference exactly, nothing but zeros is left.
-TEST(Residuals, AFittingPredictionIsFound) {
+// What predictions are for: where they tell the difference exactly, nothing but zeros is left.
+TEST(Residuals, AFittingSlopeIsFound) {
   test::Random random(9);
   Residuals residuals;
   for (int i = 0; i < 200; ++i) {
     Residual r;
     r.components = 3;
     r.extent = 200;
-    r.count_a = r.count_b = 4;
     for (size_t c = 0; c < 3; ++c) {
       r.difference[c] = random.between(-50, 50);
-      r.sum_a[c] = 4 * 2 * r.difference[c];  // the means lie twice as far apart: eight sixteenths
+      r.slope[c] = {4 * 2 * r.difference[c], 4};  // twice the difference: eight sixteenths
     }
     residuals.add(r);
   }
   PageData page = makePage(format::kSplitPage, kHas);
   residuals.finish(page);
-  EXPECT_EQ(page.parameters[format::kLaplacian], 8);
-  for (int32_t value : page.streams[format::kSplits].attributes[4].values) ASSERT_EQ(value, 0);
+  EXPECT_EQ(page.parameters[format::kPositionMean], 8);
+  for (uint32_t attribute : {format::kSplitPosition, format::kSplitPositionHeight})
+    for (int32_t value : page.streams[format::kSplits].attributes[attribute].values) ASSERT_EQ(value, 0);
   EXPECT_TRUE(page.low_bits.empty());
+}
+
+TEST(Residuals, AFittingGeometryIsFound) {
+  test::Random random(10);
+  Residuals residuals;
+  for (int i = 0; i < 200; ++i) {
+    Residual r;
+    r.kind = Kind::kNormal;
+    r.components = 2;
+    for (size_t c = 0; c < 2; ++c) {
+      r.difference[c] = random.between(-50, 50);
+      r.geometry[c] = 2 * r.difference[c];
+      r.slope[c] = {random.between(-50, 50), 1};
+    }
+    residuals.add(r);
+  }
+  PageData page = makePage(format::kSplitPage, kHas);
+  residuals.finish(page);
+  EXPECT_EQ(page.parameters[format::kNormalGeometry], 8);
+  EXPECT_EQ(page.parameters[format::kNormalGradient], 0);
+  for (int32_t value : page.streams[format::kNormals].attributes[0].values) ASSERT_EQ(value, 0);
+}
+
+// Differences that lie in the ring's plane have no height.
+TEST(Residuals, HeightsOfAPlaneAreZero) {
+  test::Random random(11);
+  Residuals residuals;
+  for (int i = 0; i < 200; ++i) {
+    Residual r;
+    r.components = 3;
+    r.extent = 200;
+    r.normal = {100, -200, 400};
+    const int32_t u = 4 * random.between(-30, 30), v = 4 * random.between(-30, 30);
+    r.difference = {u, v, -(100 * u - 200 * v) / 400};
+    residuals.add(r);
+  }
+  PageData page = makePage(format::kSplitPage, kHas);
+  residuals.finish(page);
+  for (int32_t value : page.streams[format::kSplits].attributes[format::kSplitPositionHeight].values)
+    ASSERT_EQ(value, 0);
+}
+
+// Where most differences are equal a prediction would scatter them.
+TEST(Residuals, APredictionThatCostsMoreIsLeftOut) {
+  test::Random random(12);
+  Residuals residuals;
+  for (int i = 0; i < 400; ++i) {
+    Residual r;
+    r.kind = Kind::kUv;
+    r.components = 2;
+    const bool rare = i % 40 == 0;
+    r.difference = {rare ? random.between(-4000, 4000) : 60, rare ? random.between(-4000, 4000) : 60, 0};
+    for (size_t c = 0; c < 2; ++c) r.slope[c] = {rare ? r.difference[c] : random.between(20, 100), 1};
+    residuals.add(r);
+  }
+  PageData page = makePage(format::kSplitPage, kHas);
+  residuals.finish(page);
+  EXPECT_EQ(page.parameters[format::kUvGradient0], 0);
 }
 
 }  // namespace

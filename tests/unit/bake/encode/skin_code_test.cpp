@@ -9,6 +9,7 @@
 
 #include "lithe/bake/skin_weights.h"
 #include "lithe/format/placement.h"
+#include "page_reader.h"
 #include "random_character.h"
 #include "small_mesh.h"
 
@@ -26,10 +27,10 @@ struct Children {
 /// Reads streams from the front.
 class SkinReader {
  public:
-  explicit SkinReader(const PageData& page) : page_(page) {}
+  explicit SkinReader(const PageData& page) : page_(page), low_bits_(page.low_bits) {}
 
   Children read(const QuantizedSkin& parent, int32_t t8) {
-    const int32_t mode = page_.streams[format::kSplits].attributes[3].values.at(modes_++);
+    const int32_t mode = page_.streams[format::kSplits].attributes[format::kSplitSkin].values.at(modes_++);
     if (mode == 0) return {parent, parent};
     std::vector<uint16_t> joints(parent.joint.begin(), parent.joint.begin() + parent.count);
     std::vector<int32_t> old(parent.weight.begin(), parent.weight.begin() + parent.count);
@@ -41,7 +42,7 @@ class SkinReader {
     int32_t sum_d = 0, sum_b = 0;
     for (size_t i = 0; i < joints.size(); ++i) {
       const bool last = i + 1 == joints.size();
-      d[i] = last ? -sum_d : next(format::kSkinD, ds_);
+      d[i] = last ? -sum_d : nextDifference();
       sum_d += d[i];
       if (mode == 1)
         b[i] = old[i] - format::eighths(d[i], t8);
@@ -56,12 +57,16 @@ class SkinReader {
   }
 
   bool atEnd() const {
-    return modes_ == page_.streams[format::kSplits].attributes[3].values.size() && news_ == count(format::kSkinNew) &&
-           ds_ == count(format::kSkinD) && es_ == count(format::kSkinE);
+    return modes_ == page_.streams[format::kSplits].attributes[format::kSplitSkin].values.size() &&
+           news_ == count(format::kSkinNew) && ds_ == count(format::kSkinD) && es_ == count(format::kSkinE);
   }
 
  private:
   int32_t next(uint32_t stream, size_t& at) { return page_.streams[stream].attributes[0].values.at(at++); }
+  int32_t nextDifference() {
+    const int32_t low = page_.parameters[format::kSkinShift];
+    return next(format::kSkinD, ds_) * (1 << low) + static_cast<int32_t>(low_bits_.read(low));
+  }
   size_t count(uint32_t stream) const { return page_.streams[stream].attributes[0].values.size(); }
 
   static QuantizedSkin sorted(const std::vector<uint16_t>& joints, const std::vector<int32_t>& weights) {
@@ -79,6 +84,7 @@ class SkinReader {
   }
 
   const PageData& page_;
+  test::BitReader low_bits_;
   size_t modes_ = 0, news_ = 0, ds_ = 0, es_ = 0;
 };
 
@@ -88,12 +94,31 @@ std::vector<int32_t> valuesOf(const PageData& page, uint32_t stream) {
   return page.streams[stream].attributes[0].values;
 }
 
-int32_t onlyMode(const PageData& page) { return page.streams[format::kSplits].attributes[3].values.at(0); }
+/// Without neighbours to predict from, on a page of its own: the differences are the stream's values.
+void encodeAlone(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b, int32_t t8,
+                 PageData& page) {
+  Residuals residuals;
+  encodeSkins(parent, a, b, t8, kOne, SkinSlopes(), page, residuals);
+  residuals.finish(page);
+}
+
+/// A difference with the low bits that its page has.
+std::vector<int32_t> differences(const PageData& page) {
+  test::BitReader low_bits(page.low_bits);
+  std::vector<int32_t> values = valuesOf(page, format::kSkinD);
+  const int32_t low = page.parameters[format::kSkinShift];
+  for (int32_t& value : values) value = value * (1 << low) + static_cast<int32_t>(low_bits.read(low));
+  return values;
+}
+
+int32_t onlyMode(const PageData& page) {
+  return page.streams[format::kSplits].attributes[format::kSplitSkin].values.at(0);
+}
 
 TEST(SkinCode, ChildrenLikeTheirParentCostOnlyTheMode) {
   const QuantizedSkin skin = skinOf({{3, 200}, {1, 55}});
   PageData page = emptyPage();
-  encodeSkins(skin, skin, skin, 4, kOne, page);
+  encodeAlone(skin, skin, skin, 4, page);
   EXPECT_EQ(onlyMode(page), format::kSkinSame);
   for (uint32_t stream : {format::kSkinD, format::kSkinE, format::kSkinNew})
     EXPECT_TRUE(valuesOf(page, stream).empty());
@@ -104,10 +129,10 @@ TEST(SkinCode, AParentBetweenItsChildrenNeedsOnlyTheirDifference) {
   const QuantizedSkin b = skinOf({{0, 155}, {1, 100}}), a = skinOf({{1, 200}, {0, 55}}),
                       parent = skinOf({{1, 150}, {0, 105}});
   PageData page = emptyPage();
-  encodeSkins(parent, a, b, 4, kOne, page);
+  encodeAlone(parent, a, b, 4, page);
   EXPECT_EQ(onlyMode(page), format::kSkinRule);
   EXPECT_EQ(valuesOf(page, format::kSkinNew), std::vector<int32_t>{0});
-  EXPECT_EQ(valuesOf(page, format::kSkinD), std::vector<int32_t>{100});  // of joint 1, the parent's first
+  EXPECT_EQ(differences(page), std::vector<int32_t>{100});  // of joint 1, the parent's first
   EXPECT_TRUE(valuesOf(page, format::kSkinE).empty());
 }
 
@@ -115,23 +140,23 @@ TEST(SkinCode, AParentElsewhereNeedsTheWayToChildBToo) {
   const QuantizedSkin b = skinOf({{0, 155}, {1, 100}}), a = skinOf({{1, 200}, {0, 55}}),
                       parent = skinOf({{1, 250}, {0, 5}});
   PageData page = emptyPage();
-  encodeSkins(parent, a, b, 4, kOne, page);
+  encodeAlone(parent, a, b, 4, page);
   EXPECT_EQ(onlyMode(page), format::kSkinFree);
-  EXPECT_EQ(valuesOf(page, format::kSkinD), std::vector<int32_t>{100});
+  EXPECT_EQ(differences(page), std::vector<int32_t>{100});
   EXPECT_EQ(valuesOf(page, format::kSkinE), std::vector<int32_t>{100 - 250});
 }
 
 TEST(SkinCode, JointsThatTheParentLacksAreNamedInAscendingOrder) {
   const QuantizedSkin a = skinOf({{9, 128}, {2, 127}}), b = skinOf({{5, 255}}), parent = skinOf({{2, 255}});
   PageData page = emptyPage();
-  encodeSkins(parent, a, b, 0, kOne, page);
+  encodeAlone(parent, a, b, 0, page);
   EXPECT_EQ(valuesOf(page, format::kSkinNew), (std::vector<int32_t>{2, 5, 9}));
 }
 
 TEST(SkinCode, OneJointInAllCostsNoNumbers) {
   const QuantizedSkin a = skinOf({{4, 255}}), parent = skinOf({{7, 255}});
   PageData page = emptyPage();
-  encodeSkins(parent, a, a, 4, kOne, page);
+  encodeAlone(parent, a, a, 4, page);
   EXPECT_EQ(valuesOf(page, format::kSkinNew), (std::vector<int32_t>{1, 4}));
   const Children children = SkinReader(page).read(parent, 4);
   EXPECT_EQ(children.a, a);
@@ -142,6 +167,7 @@ TEST(SkinCode, EverySkinComesBack) {
   test::Random random(21);
   uint32_t modes[3] = {0, 0, 0};
   PageData page = emptyPage();
+  Residuals residuals;
   struct Split {
     QuantizedSkin parent, a, b;
     int32_t t8;
@@ -164,10 +190,11 @@ TEST(SkinCode, EverySkinComesBack) {
         split.parent = interpolateSkin(split.b, split.a, split.t8, kOne, cap);
         break;
     }
-    encodeSkins(split.parent, split.a, split.b, split.t8, kOne, page);
-    ++modes[page.streams[format::kSplits].attributes[3].values.back()];
+    encodeSkins(split.parent, split.a, split.b, split.t8, kOne, SkinSlopes(), page, residuals);
+    ++modes[page.streams[format::kSplits].attributes[format::kSplitSkin].values.back()];
     splits.push_back(split);
   }
+  residuals.finish(page);
   SkinReader reader(page);
   for (const Split& split : splits) {
     const Children children = reader.read(split.parent, split.t8);

@@ -120,9 +120,9 @@ TEST(SplitEncoder, TetrahedronByHand) {
   Encoding e(mesh, list.sequence);
   for (uint32_t node : {0u, 1u, 3u}) e.encoder.split(node);
   // t8 counts from child B; the first two splits call child 0 A, the third child 1.
-  EXPECT_EQ(e.first(format::kSplits, 0), (Values{8, 6, 4}));
-  EXPECT_EQ(e.first(format::kSplits, 1), Values(9, 0));  // every parent lies where its t8 says
-  EXPECT_EQ(e.first(format::kSplits, 2), (Values{0, 0, 0}));
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitT8), (Values{8, 6, 4}));
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitLattice), Values(6, 0));  // every parent lies where its t8 says
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitMode), (Values{0, 0, 0}));
   // Fans without corners: no corner at B, no face; then two faces (4, 3, 2) and (2, 3, 4) to node 2 (vertex 3), which
   // no corner names: rank 0, id 0 and 2.
   EXPECT_EQ(e.first(format::kGeneral), (Values{0, 0, 0, 2, 0, 0, 0, 2, 1, 0, 0, 2}));
@@ -166,7 +166,7 @@ TEST(SplitEncoder, AnInnerEdgeIsOneSplitOfAnOpenRingWithTwoFaces) {
   const uint32_t node = e.cut.file_node[7];
   e.encoder.split(node);
   // Ring 2, 3, 4, 5, 6 is open and all at child 0, which is B; cut at its ends 0 and 4: pair 4 * 3 / 2 + 0.
-  EXPECT_EQ(e.first(format::kSplits, 2), Values{format::kModeOpenTwo});
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitMode), Values{format::kModeOpenTwo});
   EXPECT_EQ(e.first(format::kCutOpen), Values{6});
   EXPECT_TRUE(e.first(format::kGeneral).empty());
   EXPECT_EQ(e.cut.face_wedges.size(), 6u);
@@ -179,8 +179,8 @@ TEST(SplitEncoder, ABoundaryEdgeIsACutOfAnOpenRing) {
   Encoding e(mesh, list.sequence);
   e.encoder.split(e.cut.file_node[7]);
   // Ring 2, 3, 4 of two edges, both at child 0, which is B: the cut is at its beginning.
-  EXPECT_EQ(e.first(format::kSplits, 0), Values{8});
-  EXPECT_EQ(e.first(format::kSplits, 2), Values{format::kModeRing});
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitT8), Values{8});
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitMode), Values{format::kModeRing});
   EXPECT_EQ(e.first(format::kCutOpen), Values{0});
   EXPECT_TRUE(e.first(format::kGeneral).empty());
   EXPECT_EQ(e.cut.face_wedges.size(), 3u);
@@ -203,7 +203,9 @@ TEST(SplitEncoder, TheLatticeIndexSaysHowFarTheParentLiesFromItsEighths) {
   list.sequence.collapses[0].position = {12, 16, 0};  // (4, 0, 0) and one step of 8 along x, two along y
   Encoding e(mesh, list.sequence, 0);
   e.encoder.split(e.cut.file_node[4]);
-  EXPECT_EQ(e.first(format::kSplits, 1), (Values{1, 2, 0}));
+  // D lies along x: two indices across it, and the third as it is.
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitLattice), (Values{2, 0}));
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitLatticeHeight), Values{1});
 }
 
 TEST(SplitEncoder, AFinishedPageLeavesAnEmptyOne) {
@@ -215,7 +217,8 @@ TEST(SplitEncoder, AFinishedPageLeavesAnEmptyOne) {
   EXPECT_GT(e.encoder.work(), 0u);
   const PageData page = e.encoder.finish();
   EXPECT_EQ(page.streams[format::kSplits].records(), 1u);
-  EXPECT_EQ(page.streams[format::kSplits].attributes[4].values.size(), 3u);
+  EXPECT_EQ(page.streams[format::kSplits].attributes[format::kSplitPosition].values.size(), 2u);
+  EXPECT_EQ(page.streams[format::kSplits].attributes[format::kSplitPositionHeight].values.size(), 1u);
   EXPECT_EQ(e.encoder.page().valueCount(), 0u);
   EXPECT_EQ(e.encoder.page().max_fan, 0u);
   EXPECT_EQ(e.encoder.work(), 0u);

