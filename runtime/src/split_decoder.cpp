@@ -127,7 +127,7 @@ uint32_t SplitDecoder::readList() {
   IntReader& list = streams_->values[format::kGeneral][0];
   const uint32_t count_b = static_cast<uint32_t>(list.next());
   if (count_b > fan_.count) return kCheckGeneral;
-  memset(scratch_.at_b, 0, fan_.count);
+  if (fan_.count > 0) memset(scratch_.at_b, 0, fan_.count);
   uint64_t next = 0;
   for (uint32_t i = 0; i < count_b; ++i) {
     next += static_cast<uint32_t>(list.next());
@@ -492,8 +492,10 @@ uint32_t SplitDecoder::addFaces() {
     return 0;
   }
   uint32_t* sorted = scratch_.sorted;
-  memcpy(sorted, fan_.next, fan_.count * sizeof(uint32_t));
-  memcpy(sorted + fan_.count, fan_.previous, fan_.count * sizeof(uint32_t));
+  if (fan_.count > 0) {
+    memcpy(sorted, fan_.next, fan_.count * sizeof(uint32_t));
+    memcpy(sorted + fan_.count, fan_.previous, fan_.count * sizeof(uint32_t));
+  }
   sortValues(sorted, 2 * fan_.count);
   const uint32_t neighbours = dropRepeated(sorted, 2 * fan_.count);
   for (uint32_t i = 0; i < face_count_; ++i) {
