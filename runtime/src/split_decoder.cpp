@@ -289,69 +289,42 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
   return 0;
 }
 
-/// The neighbours along the faces at one wedge of the split node (kNoIndex: at all of them) and their gradient.
+/// The neighbours along the faces at one wedge of the split node (kNoIndex: at all of them).
 void SplitDecoder::gatherRing(uint32_t node, uint32_t wedge) {
-  neighbours_.count = 0;
-  neighbours_.gradient = {};
-  neighbours_.normal_difference = {0, 0};
-  if (fan_.count > format::kMaxRing) return;
-  const format::Int3 w = position(node);
   const uint32_t child_a = out_->node_count - 2;
-  const int32_t shift = format::gradientShift(ring_extent_);
-  format::GradientSums sums;
-  for (uint32_t i = 0; i < fan_.count; ++i) {
-    if (wedge != kNoIndex && scratch_.wedge[i] != wedge) continue;
-    const uint32_t k = fan_.corner[i] % 3, first = fan_.corner[i] - k;
-    const uint32_t nodes[2] = {fan_.next[i], fan_.previous[i]};
-    for (uint32_t step = 0; step < 2; ++step) {
-      const format::Int3 r = format::shifted(format::minus(position(nodes[step]), w), shift);
-      neighbours_.wedge[neighbours_.count] = out_->face_wedges[first + (k + 1 + step) % 3];
-      neighbours_.r[neighbours_.count++] = r;
-      sums.add(r);
-    }
-  }
-  const format::Int3 d = format::minus(position(child_a), position(child_a + 1));
-  neighbours_.gradient = format::solveGradient(sums, format::shifted(d, shift));
+  format::gatherNeighbours(
+      fan_, position(node), format::minus(position(child_a), position(child_a + 1)), ring_extent_,
+      [&](uint32_t i) { return wedge == kNoIndex || scratch_.wedge[i] == wedge; },
+      [&](uint32_t at) { return position(at); }, [&](uint32_t corner) { return out_->face_wedges[corner]; },
+      neighbours_);
 }
 
-/// The area normals of the children's faces: those of the fan at one wedge, and the new ones at the ring's cut.
-void SplitDecoder::gatherNormals(uint32_t wedge) {
+format::Int2 SplitDecoder::normalDifference(uint32_t wedge) const {
   const uint32_t child_a = out_->node_count - 2;
-  const format::Int3 child[2] = {position(child_a), position(child_a + 1)};
-  format::AreaNormal normal[2];
-  for (uint32_t i = 0; i < fan_.count; ++i) {
-    if (scratch_.wedge[i] != wedge) continue;
-    const uint32_t side = scratch_.at_b[i];
-    normal[side].add(child[side], position(fan_.next[i]), position(fan_.previous[i]));
-  }
-  for (uint32_t i = 0; !listed_ && i < face_count_; ++i) {
-    const NewFace& face = ring_faces_[i];
-    const format::Int3 third = position(face.third);
-    for (format::AreaNormal& n : normal) n.add(child[!face.first_is_a], third, child[face.first_is_a]);
-  }
-  neighbours_.normal_difference =
-      format::normalDifference(normal[0], normal[1], static_cast<int32_t>(format_.normal_center));
+  format::ChildNormals normals{{position(child_a), position(child_a + 1)}, {}};
+  auto position_of = [&](uint32_t node) { return position(node); };
+  normals.addFan(
+      fan_, [&](uint32_t i) { return scratch_.wedge[i] == wedge; }, scratch_.at_b, position_of);
+  for (uint32_t i = 0; !listed_ && i < face_count_; ++i)
+    normals.addCut(position(ring_faces_[i].third), ring_faces_[i].first_is_a);
+  return format::normalDifference(normals.normal[0], normals.normal[1], static_cast<int32_t>(format_.normal_center));
 }
 
 /// Of an entry of the records.
 int32_t SplitDecoder::predict(const uint16_t* parent, uint32_t at, int32_t strength) const {
-  if (strength == 0 || neighbours_.count == 0) return 0;
+  if (strength == 0) return 0;
   const uint32_t stride = format_.layout.stride;
-  format::Moment moment;
-  for (uint32_t i = 0; i < neighbours_.count; ++i) {
-    const uint16_t* record = out_->wedge_attributes + static_cast<size_t>(neighbours_.wedge[i]) * stride;
-    moment.add(neighbours_.r[i], static_cast<int32_t>(record[at]) - static_cast<int32_t>(parent[at]));
-  }
-  return format::scaled(strength, neighbours_.gradient.of(moment));
+  return format::scaled(strength, neighbours_.slopeOf([&](uint32_t wedge) {
+    return int32_t{out_->wedge_attributes[static_cast<size_t>(wedge) * stride + at]} - int32_t{parent[at]};
+  }));
 }
 
 int32_t SplitDecoder::predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const {
-  if (strength == 0 || neighbours_.count == 0) return 0;
+  if (strength == 0) return 0;
   const int32_t at_parent = weightOf(parent, joint);
-  format::Moment moment;
-  for (uint32_t i = 0; i < neighbours_.count; ++i)
-    moment.add(neighbours_.r[i], weightOf(out_->node_skin[out_->wedge_node[neighbours_.wedge[i]]], joint) - at_parent);
-  return format::scaled(strength, neighbours_.gradient.of(moment));
+  return format::scaled(strength, neighbours_.slopeOf([&](uint32_t wedge) {
+    return weightOf(out_->node_skin[out_->wedge_node[wedge]], joint) - at_parent;
+  }));
 }
 
 bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
@@ -382,13 +355,11 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
     const WedgeClass& c = scratch_.classes[i];
     const uint16_t* parent = record(first_parent_wedge_ + i);
     if (c.count_a && c.count_b) {
+      const bool predicted = count <= format::kMaxPredictedClasses && fan_.count <= format::kMaxRing;
       neighbours_.count = 0;
-      neighbours_.normal_difference = {0, 0};
-      if (count <= format::kMaxPredictedClasses) {
-        gatherRing(node, first_parent_wedge_ + i);
-        if (format_.has.normals && fan_.count <= format::kMaxRing) gatherNormals(first_parent_wedge_ + i);
-      }
-      if (!readPair(t8, parent, record(c.first_a), record(c.first_b))) return kCheckWedge;
+      if (predicted) gatherRing(node, count > 1 ? first_parent_wedge_ + i : kNoIndex);
+      if (!readPair(first_parent_wedge_ + i, predicted, t8, parent, record(c.first_a), record(c.first_b)))
+        return kCheckWedge;
     } else {
       memcpy(record(c.count_a ? c.first_a : c.first_b), parent, stride * sizeof(uint16_t));
     }
@@ -401,23 +372,24 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
 }
 
 /// The records of a class's first wedges at either child.
-bool SplitDecoder::readPair(int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b) {
+bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a,
+                            uint16_t* b) {
   const uint8_t* parameters = streams_->parameters;
   uint32_t at = 0;
   if (format_.has.normals) {
     const int32_t strength = parameters[format::kNormalGradient], geometry = parameters[format::kNormalGeometry];
-    const format::Int2 predicted{
-        predict(parent, at, strength) + ((geometry * neighbours_.normal_difference.x) >> 4),
-        predict(parent, at + 1, strength) + ((geometry * neighbours_.normal_difference.y) >> 4)};
+    const format::Int2 apart = predicted && geometry > 0 ? normalDifference(wedge) : format::Int2{0, 0};
+    const format::Int2 expected{predict(parent, at, strength) + ((geometry * apart.x) >> 4),
+                                predict(parent, at + 1, strength) + ((geometry * apart.y) >> 4)};
     IntReader* normals = streams_->values[format::kNormals];
-    if (!readDirection(normals, parameters[format::kNormalShift], predicted, t8, parent, a, b)) return false;
+    if (!readDirection(normals, parameters[format::kNormalShift], expected, t8, parent, a, b)) return false;
     at += 2;
   }
   if (format_.has.tangents) {
     IntReader* tangents = streams_->values[format::kTangents];
     const int32_t strength = parameters[format::kTangentGradient];
-    const format::Int2 predicted{predict(parent, at, strength), predict(parent, at + 1, strength)};
-    if (!readDirection(&tangents[0], parameters[format::kTangentShift], predicted, t8, parent + at, a + at, b + at))
+    const format::Int2 expected{predict(parent, at, strength), predict(parent, at + 1, strength)};
+    if (!readDirection(&tangents[0], parameters[format::kTangentShift], expected, t8, parent + at, a + at, b + at))
       return false;
     const uint32_t flips = static_cast<uint32_t>(tangents[1].next());
     if (flips > 3) return false;
@@ -436,10 +408,10 @@ bool SplitDecoder::readPair(int32_t t8, const uint16_t* parent, uint16_t* a, uin
   };
   for (uint32_t s = 0; s < format_.has.uv_sets; ++s) {
     const int32_t strength = parameters[format::kUvGradient0 + s];
-    const format::Int2 predicted{predict(parent, at, strength), predict(parent, at + 1, strength)};
+    const format::Int2 expected{predict(parent, at, strength), predict(parent, at + 1, strength)};
     const int32_t low = format::lowBits(extent_, parameters[format::kUvBias0 + s]);
     IntReader* uvs = streams_->values[format::kUv0 + s];
-    if (!linear(int64_t{residual(uvs, low)} + predicted.x) || !linear(int64_t{residual(uvs, low)} + predicted.y))
+    if (!linear(int64_t{residual(uvs, low)} + expected.x) || !linear(int64_t{residual(uvs, low)} + expected.y))
       return false;
   }
   for (uint32_t c = 0; c < 4 * format_.has.color_sets; ++c)
@@ -590,7 +562,9 @@ uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
   }
   const int32_t shift = streams_->parameters[format::kSkinShift],
                 strength = streams_->parameters[format::kSkinGradient];
-  if (strength > 0 && count > 1) gatherRing(node, kNoIndex);
+  // With one wedge the attributes' ring is the whole fan's: it is still at hand.
+  const bool one_wedge = out_->node_first_wedge[node + 1] - first_parent_wedge_ == 1;
+  if (strength > 0 && count > 1 && !one_wedge) gatherRing(node, kNoIndex);
   WeightEntry a[format::kMaxSkinJoints] = {}, b[format::kMaxSkinJoints] = {};
   const int32_t one = static_cast<int32_t>(format_.weight_one);
   int32_t last_d = 0, sum_b = 0;

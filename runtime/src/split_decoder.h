@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lithe/format/octahedral.h"
-#include "lithe/format/placement.h"
+#include "lithe/format/ring_prediction.h"
 #include "page_streams.h"
 #include "skin_order.h"
 
@@ -21,16 +21,6 @@ struct WedgeClass {
 struct NeighbourSum {
   int64_t value[3];
   int64_t count;
-};
-
-/// What attributes are predicted from: the neighbours of the split node along the faces at one of its wedges, or at
-/// all.
-struct Neighbours {
-  uint32_t count;
-  uint32_t wedge[2 * format::kMaxRing];
-  format::Int3 r[2 * format::kMaxRing];  ///< relative to the split node, shifted
-  format::Gradient gradient;
-  format::Int2 normal_difference;  ///< of the children's area normals
 };
 
 /// Memory for the node that is being split: max_fan entries each.
@@ -74,9 +64,9 @@ class SplitDecoder {
   void readLattice(const int32_t* d, int64_t* k);
   uint32_t readClasses(uint32_t node);
   uint32_t readAttributes(uint32_t node, int32_t t8);
-  bool readPair(int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
+  bool readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
   void gatherRing(uint32_t node, uint32_t wedge);
-  void gatherNormals(uint32_t wedge);
+  format::Int2 normalDifference(uint32_t wedge) const;
   int32_t predict(const uint16_t* parent, uint32_t at, int32_t strength) const;
   int32_t predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const;
   format::Int3 position(uint32_t node) const {
@@ -106,10 +96,10 @@ class SplitDecoder {
   format::Ring ring_{};
   NewFace ring_faces_[2]{};
   uint32_t face_count_ = 0;
-  bool listed_ = false;       ///< sides and faces come from kGeneral
-  uint32_t extent_ = 0;       ///< of D, for the uvs' low bits
-  uint32_t ring_extent_ = 0;  ///< of the ring and of D
-  Neighbours neighbours_;     ///< of the corners at one wedge of the split node, or at all
+  bool listed_ = false;                ///< sides and faces come from kGeneral
+  uint32_t extent_ = 0;                ///< of D, for the uvs' low bits
+  uint32_t ring_extent_ = 0;           ///< of the ring and of D
+  format::RingNeighbours neighbours_;  ///< of the corners at one wedge of the split node, or at all
   uint64_t work_ = 0;
 
   uint32_t first_parent_wedge_ = 0;

@@ -59,8 +59,7 @@ void writeDifferences(std::vector<Differences>& columns, PageData& page, BitWrit
       for (uint32_t c = 0; c < components; ++c) {
         const int32_t value = column.values[r * components + c];
         const int32_t low = column.parameter != kNone && c < column.shifted ? page.parameters[column.parameter] : 0;
-        column.attribute->values.push_back(value >> low);
-        low_bits.write(static_cast<uint32_t>(value), low);
+        column.attribute->putSplit(value, low, low_bits);
       }
     }
 }

@@ -12,20 +12,6 @@
 
 namespace lithe::bake {
 
-/// One stream: `attributes[i].values` holds records * components integers.
-struct StreamData {
-  struct Attribute {
-    format::StreamAttribute spec{};
-    std::vector<int32_t> values;
-  };
-  std::vector<Attribute> attributes;
-
-  uint32_t records() const {
-    return attributes.empty() ? 0 : static_cast<uint32_t>(attributes[0].values.size() / attributes[0].spec.components);
-  }
-  void put(int32_t value) { attributes[0].values.push_back(value); }
-};
-
 /// Packs integers of a few bits each, least significant bit first.
 class BitWriter {
  public:
@@ -40,6 +26,26 @@ class BitWriter {
  private:
   std::vector<uint8_t> bytes_;
   uint64_t count_ = 0;
+};
+
+/// One stream: `attributes[i].values` holds records * components integers.
+struct StreamData {
+  struct Attribute {
+    format::StreamAttribute spec{};
+    std::vector<int32_t> values;
+
+    /// A split value: its `low` lowest bits go to the low bits, the others to the stream.
+    void putSplit(int32_t value, int32_t low, BitWriter& low_bits) {
+      values.push_back(value >> low);
+      low_bits.write(static_cast<uint32_t>(value), low);
+    }
+  };
+  std::vector<Attribute> attributes;
+
+  uint32_t records() const {
+    return attributes.empty() ? 0 : static_cast<uint32_t>(attributes[0].values.size() / attributes[0].spec.components);
+  }
+  void put(int32_t value) { attributes[0].values.push_back(value); }
 };
 
 /// A page ready to be entropy coded.

@@ -74,72 +74,100 @@ struct Series {
   }
 };
 
-}  // namespace
+/// What predicts a kind: sixteenths of its slope, and of the geometry for normals.
+struct Strength {
+  uint8_t slope = 0, geometry = 0;
+};
 
-uint8_t bestShift(const std::vector<int32_t>& values) { return Series{values, {}}.best(false).bias; }
-
-struct Residuals::Series : bake::Series {};
-
-Residuals::Series Residuals::seriesOf(Residual::Kind kind, uint32_t set, Strength strength, Part part) const {
-  Series series;
-  for (const Residual& item : items_) {
-    if (item.kind != kind || item.set != set) continue;
-    const auto values = residualOf(item, strength.slope, strength.geometry);
-    const int begin = part == Part::kHeight ? 2 : 0, end = part == Part::kAcross ? 2 : item.components;
-    series.values.insert(series.values.end(), values.begin() + begin, values.begin() + end);
-    series.extents.resize(series.values.size(), item.extent);
+/// The residuals of one kind (and uv set) of a page.
+class Kindred {
+ public:
+  Kindred(const std::vector<Residual>& items, Residual::Kind kind, uint32_t set) {
+    for (const Residual& item : items)
+      if (item.kind == kind && item.set == set) items_.push_back(&item);
   }
-  return series;
-}
 
-// One strength after the other, twice: they share what they explain.
-Residuals::Strength Residuals::bestStrength(Residual::Kind kind, uint32_t set, bool with_geometry) const {
-  constexpr uint8_t kStep = 2, kMost = 20;
-  Strength best;
-  double least = seriesOf(kind, set, best).magnitude();
-  auto consider = [&](Strength strength) {
-    const double bits = seriesOf(kind, set, strength).magnitude();
-    if (bits < least) least = bits, best = strength;
-  };
-  for (int sweep = 0; sweep < (with_geometry ? 2 : 1); ++sweep) {
-    const Strength start = best;
-    for (uint8_t geometry = 0; with_geometry && geometry <= kMost; geometry += kStep) consider({start.slope, geometry});
-    const Strength halfway = best;
-    for (uint8_t slope = 0; slope <= kMost; slope += kStep) consider({slope, halfway.geometry});
+  enum class Part { kAll, kAcross, kHeight };
+  Series series(Strength strength, Part part = Part::kAll) const {
+    Series series;
+    for (const Residual* item : items_) {
+      const auto values = residualOf(*item, strength.slope, strength.geometry);
+      const int begin = part == Part::kHeight ? 2 : 0, end = part == Part::kAcross ? 2 : item->components;
+      series.values.insert(series.values.end(), values.begin() + begin, values.begin() + end);
+      series.extents.resize(series.values.size(), item->extent);
+    }
+    return series;
   }
-  return best;
-}
 
-void Residuals::chooseParameters(PageData& page) const {
-  using Kind = Residual::Kind;
-  auto& parameters = page.parameters;
-  auto choose = [&](Kind kind, uint32_t set, uint32_t slope_at, uint32_t geometry_at, uint32_t low_at, bool adaptive) {
-    // Small differences may be dear all the same: where most are equal, a prediction scatters them.
-    Strength strength = bestStrength(kind, set, geometry_at != kNone);
-    bake::Series::Choice low = seriesOf(kind, set, strength).best(adaptive);
-    const bake::Series::Choice low_of_none = seriesOf(kind, set, {}).best(adaptive);
-    if (low_of_none.bits <= low.bits) strength = {}, low = low_of_none;
-    parameters[slope_at] = strength.slope;
-    if (geometry_at != kNone) parameters[geometry_at] = strength.geometry;
-    parameters[low_at] = low.bias;
-  };
-  const Strength mean = bestStrength(Kind::kPosition, 0, false);
+  // One strength after the other, twice: they share what they explain.
+  Strength bestStrength(bool with_geometry) const {
+    constexpr uint8_t kStep = 2, kMost = 20;
+    Strength best;
+    double least = series(best).magnitude();
+    auto consider = [&](Strength strength) {
+      const double bits = series(strength).magnitude();
+      if (bits < least) least = bits, best = strength;
+    };
+    for (int sweep = 0; sweep < (with_geometry ? 2 : 1); ++sweep) {
+      const Strength start = best;
+      for (uint8_t geometry = 0; with_geometry && geometry <= kMost; geometry += kStep)
+        consider({start.slope, geometry});
+      const Strength halfway = best;
+      for (uint8_t slope = 0; slope <= kMost; slope += kStep) consider({slope, halfway.geometry});
+    }
+    return best;
+  }
+
+ private:
+  std::vector<const Residual*> items_;
+};
+
+using Parameters = decltype(PageData::parameters);
+
+void choosePositions(const std::vector<Residual>& items, Parameters& parameters) {
+  const Kindred positions(items, Residual::Kind::kPosition, 0);
+  const Strength mean = positions.bestStrength(false);
   parameters[format::kPositionMean] = mean.slope;
-  parameters[format::kPositionBias] = seriesOf(Kind::kPosition, 0, mean, Part::kAcross).best(true).bias;
-  parameters[format::kHeightBias] = seriesOf(Kind::kPosition, 0, mean, Part::kHeight).best(true).bias;
-  choose(Kind::kNormal, 0, format::kNormalGradient, format::kNormalGeometry, format::kNormalShift, false);
-  choose(Kind::kTangent, 0, format::kTangentGradient, kNone, format::kTangentShift, false);
-  choose(Kind::kSkin, 0, format::kSkinGradient, kNone, format::kSkinShift, false);
-  for (uint32_t set = 0; set < kMaxUvSets; ++set)
-    choose(Kind::kUv, set, format::kUvGradient0 + set, kNone, format::kUvBias0 + set, true);
+  parameters[format::kPositionBias] = positions.series(mean, Kindred::Part::kAcross).best(true).bias;
+  parameters[format::kHeightBias] = positions.series(mean, Kindred::Part::kHeight).best(true).bias;
 }
 
-void Residuals::fillStreams(PageData& page) const {
+/// Where the parameters of a kind of attribute are; geometry kNone: it has none. adaptive: the low bits follow the
+/// extent.
+struct Places {
+  uint32_t slope, geometry, low;
+  bool adaptive;
+};
+
+void chooseAttribute(const Kindred& kindred, const Places& at, Parameters& parameters) {
+  // Small differences may be dear all the same: where most are equal, a prediction scatters them.
+  Strength strength = kindred.bestStrength(at.geometry != kNone);
+  Series::Choice low = kindred.series(strength).best(at.adaptive);
+  const Series::Choice low_of_none = kindred.series({}).best(at.adaptive);
+  if (low_of_none.bits <= low.bits) strength = {}, low = low_of_none;
+  parameters[at.slope] = strength.slope;
+  if (at.geometry != kNone) parameters[at.geometry] = strength.geometry;
+  parameters[at.low] = low.bias;
+}
+
+void chooseParameters(const std::vector<Residual>& items, Parameters& parameters) {
+  using Kind = Residual::Kind;
+  auto choose = [&](Kind kind, uint32_t set, const Places& at) {
+    chooseAttribute(Kindred(items, kind, set), at, parameters);
+  };
+  choosePositions(items, parameters);
+  choose(Kind::kNormal, 0, {format::kNormalGradient, format::kNormalGeometry, format::kNormalShift, false});
+  choose(Kind::kTangent, 0, {format::kTangentGradient, kNone, format::kTangentShift, false});
+  choose(Kind::kSkin, 0, {format::kSkinGradient, kNone, format::kSkinShift, false});
+  for (uint32_t set = 0; set < kMaxUvSets; ++set)
+    choose(Kind::kUv, set, {format::kUvGradient0 + set, kNone, format::kUvBias0 + set, true});
+}
+
+void fillStreams(const std::vector<Residual>& items, PageData& page) {
   const auto& parameters = page.parameters;
   BitWriter low_bits;
   auto putValue = [&](int32_t value, StreamData::Attribute& attribute, int32_t low) {
-    attribute.values.push_back(value >> low);
-    low_bits.write(static_cast<uint32_t>(value), low);
+    attribute.putSplit(value, low, low_bits);
   };
   auto put = [&](const Residual& item, StreamData::Attribute& attribute, Strength strength, int32_t low) {
     const auto values = residualOf(item, strength.slope, strength.geometry);
@@ -153,7 +181,7 @@ void Residuals::fillStreams(PageData& page) const {
     putValue(values[2], splits[format::kSplitPositionHeight],
              format::lowBits(item.extent, parameters[format::kHeightBias]));
   };
-  for (const Residual& item : items_) {
+  for (const Residual& item : items) {
     switch (item.kind) {
       case Residual::Kind::kPosition:
         putPosition(item);
@@ -183,9 +211,13 @@ void Residuals::fillStreams(PageData& page) const {
   page.low_bits = low_bits.bytes();
 }
 
+}  // namespace
+
+uint8_t bestShift(const std::vector<int32_t>& values) { return Series{values, {}}.best(false).bias; }
+
 void Residuals::finish(PageData& page) const {
-  chooseParameters(page);
-  fillStreams(page);
+  chooseParameters(items_, page.parameters);
+  fillStreams(items_, page);
 }
 
 }  // namespace lithe::bake

@@ -37,16 +37,6 @@ class Residuals {
   void finish(PageData& page) const;
 
  private:
-  struct Series;
-  struct Strength {
-    uint8_t slope = 0, geometry = 0;
-  };
-  enum class Part { kAll, kAcross, kHeight };
-  Series seriesOf(Residual::Kind kind, uint32_t set, Strength strength, Part part = Part::kAll) const;
-  Strength bestStrength(Residual::Kind kind, uint32_t set, bool with_geometry) const;
-  void chooseParameters(PageData& page) const;
-  void fillStreams(PageData& page) const;
-
   std::vector<Residual> items_;
 };
 

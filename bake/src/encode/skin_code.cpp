@@ -53,16 +53,8 @@ bool ruleGives(const JointList& list, const QuantizedSkin& parent, const Quantiz
 
 }  // namespace
 
-format::Slope SkinSlopes::of(uint16_t joint) const {
-  if (neighbours_.empty()) return {};
-  const int32_t at_parent = weightOf(*parent_, joint);
-  format::Moment moment;
-  for (const Neighbour& neighbour : neighbours_) moment.add(neighbour.r, weightOf(*neighbour.skin, joint) - at_parent);
-  return gradient_.of(moment);
-}
-
 void encodeSkins(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b, int32_t t8,
-                 uint32_t weight_one, const SkinSlopes& slopes, PageData& page, Residuals& residuals) {
+                 uint32_t weight_one, const SkinRing& ring, PageData& page, Residuals& residuals) {
   auto& modes = page.streams[format::kSplits].attributes[format::kSplitSkin].values;
   if (a == parent && b == parent) {
     modes.push_back(format::kSkinSame);
@@ -80,7 +72,10 @@ void encodeSkins(const QuantizedSkin& parent, const QuantizedSkin& a, const Quan
     Residual residual;
     residual.kind = Residual::Kind::kSkin;
     residual.difference[0] = weightOf(a, list.joints[i]) - of_b;
-    residual.slope[0] = slopes.of(list.joints[i]);
+    const uint16_t joint = list.joints[i];
+    const int32_t at_parent = weightOf(parent, joint);
+    residual.slope[0] =
+        ring.neighbours.slopeOf([&](uint32_t wedge) { return weightOf(ring.skin_of(wedge), joint) - at_parent; });
     residuals.add(residual);
     if (!rule) page.streams[format::kSkinE].put(of_b - weightOf(parent, list.joints[i]));
   }

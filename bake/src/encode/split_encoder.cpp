@@ -74,11 +74,14 @@ void SplitEncoder::split(uint32_t node) {
 
   writeConnectivity(plan, fan, ring);
   writePosition(hierarchy_node, plan, fan);
-  const SkinSlopes slopes = skinSlopes(node, plan, fan);
+  const format::RingNeighbours whole_ring = ringOf(node, kNone, plan, fan);
   writeWedges(node, plan, fan);
   addFaces(node, plan, fan, ring);
+  auto skin_of = [&](uint32_t wedge) -> const QuantizedSkin& {
+    return cut_.h.skin[cut_.node_hierarchy[cut_.wedge_node[wedge]]];
+  };
   encodeSkins(cut_.h.skin[hierarchy_node], cut_.h.skin[plan.a], cut_.h.skin[plan.b], plan.t8, settings_.weight_one,
-              slopes, page_, residuals_);
+              {whole_ring, skin_of}, page_, residuals_);
   cut_.node_split[node] = 1;
 }
 
@@ -242,7 +245,7 @@ void SplitEncoder::writeClass(uint32_t wedge, size_t count_a, size_t count_b, co
                               const format::Fan& fan) {
   bool at[2] = {false, false};
   for (uint32_t i = 0; i < fan.count; ++i)
-    if (cut_.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3] == wedge) at[plan.at_b[i] ? 1 : 0] = true;
+    if (cornerWedge(fan.corner[i]) == wedge) at[plan.at_b[i] ? 1 : 0] = true;
   int32_t code = 0;
   for (; code < format::kClassListed; ++code) {
     const format::ClassCounts counts = format::classCounts(code, at[0], at[1]);
@@ -277,70 +280,30 @@ format::Int2 SplitEncoder::directionDifference(uint32_t at, uint32_t parent, uin
   return *d;
 }
 
-SplitEncoder::Ring SplitEncoder::ringOf(uint32_t wedge, const Plan& plan, const format::Fan& fan) const {
-  Ring ring;
-  if (fan.count == 0 || fan.count > format::kMaxRing) return ring;
-  const uint32_t node = cut_.cornerNode(fan.corner[0]);
-  if (wedge != kNone && cut_.node_first_wedge[node + 1] - cut_.node_first_wedge[node] > format::kMaxPredictedClasses)
-    return ring;
-  const format::Int3 w = positionOf(cut_.node_hierarchy[node]);
-  const int32_t shift = format::gradientShift(extent_);
-  format::GradientSums sums;
-  for (uint32_t i = 0; i < fan.count; ++i) {
-    const auto& face = cut_.face_wedges[fan.corner[i] / 3];
-    const uint32_t k = fan.corner[i] % 3;
-    if (wedge != kNone && face[k] != wedge) continue;
-    for (uint32_t neighbour : {face[(k + 1) % 3], face[(k + 2) % 3]}) {
-      const format::Int3 p = positionOf(cut_.node_hierarchy[cut_.wedge_node[neighbour]]);
-      ring.neighbours.push_back({format::shifted(format::minus(p, w), shift), neighbour});
-      sums.add(ring.neighbours.back().r);
-    }
-  }
-  const format::Int3 d = format::minus(positionOf(plan.a), positionOf(plan.b));
-  ring.gradient = format::solveGradient(sums, format::shifted(d, shift));
-  if (wedge != kNone && settings_.has.normals) ring.normal_difference = normalDifference(wedge, plan, fan);
+bool SplitEncoder::isPredicted(uint32_t node, const format::Fan& fan) const {
+  return cut_.node_first_wedge[node + 1] - cut_.node_first_wedge[node] <= format::kMaxPredictedClasses &&
+         fan.count <= format::kMaxRing;
+}
+
+// Of the corners at one wedge of the split node; kNone: at all of them.
+format::RingNeighbours SplitEncoder::ringOf(uint32_t node, uint32_t wedge, const Plan& plan,
+                                            const format::Fan& fan) const {
+  format::RingNeighbours ring;
+  format::gatherNeighbours(
+      fan, filePosition(node), format::minus(positionOf(plan.a), positionOf(plan.b)), extent_,
+      [&](uint32_t i) { return wedge == kNone || cornerWedge(fan.corner[i]) == wedge; },
+      [&](uint32_t at) { return filePosition(at); }, [&](uint32_t corner) { return cornerWedge(corner); }, ring);
   return ring;
 }
 
-// Of the children's faces: those of the fan at one wedge, and the new ones at the cut.
 format::Int2 SplitEncoder::normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan) const {
-  const format::Int3 a = positionOf(plan.a), b = positionOf(plan.b);
-  format::AreaNormal normal_a, normal_b;
-  for (uint32_t i = 0; i < fan.count; ++i) {
-    if (cut_.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3] != wedge) continue;
-    const format::Int3 next = positionOf(cut_.node_hierarchy[fan.next[i]]),
-                       previous = positionOf(cut_.node_hierarchy[fan.previous[i]]);
-    if (plan.at_b[i])
-      normal_b.add(b, next, previous);
-    else
-      normal_a.add(a, next, previous);
-  }
-  for (const NewFace& face : plan.faces) {
-    if (face.ring_at == kNone) continue;
-    const format::Int3 third = positionOf(cut_.node_hierarchy[face.third]);
-    for (format::AreaNormal* normal : {&normal_a, &normal_b}) {
-      if (face.first_is_a)
-        normal->add(a, third, b);
-      else
-        normal->add(b, third, a);
-    }
-  }
-  return format::normalDifference(normal_a, normal_b, settings_.normal_center);
-}
-
-format::Slope SplitEncoder::slopeOf(const Ring& ring, uint32_t parent, uint32_t at) const {
-  format::Moment moment;
-  for (const Neighbour& neighbour : ring.neighbours)
-    moment.add(neighbour.r, attributes(cut_.wedge_hierarchy[neighbour.wedge])[at] - attributes(parent)[at]);
-  return ring.gradient.of(moment);
-}
-
-SkinSlopes SplitEncoder::skinSlopes(uint32_t node, const Plan& plan, const format::Fan& fan) const {
-  const Ring ring = ringOf(kNone, plan, fan);
-  SkinSlopes slopes(ring.gradient, cut_.h.skin[cut_.node_hierarchy[node]]);
-  for (const Neighbour& neighbour : ring.neighbours)
-    slopes.addNeighbour(neighbour.r, cut_.h.skin[cut_.node_hierarchy[cut_.wedge_node[neighbour.wedge]]]);
-  return slopes;
+  format::ChildNormals normals{{positionOf(plan.a), positionOf(plan.b)}, {}};
+  auto position_of = [&](uint32_t node) { return filePosition(node); };
+  normals.addFan(
+      fan, [&](uint32_t i) { return cornerWedge(fan.corner[i]) == wedge; }, plan.at_b, position_of);
+  for (const NewFace& face : plan.faces)
+    if (face.ring_at != kNone) normals.addCut(filePosition(face.third), face.first_is_a);
+  return format::normalDifference(normals.normal[0], normals.normal[1], settings_.normal_center);
 }
 
 void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
@@ -349,20 +312,26 @@ void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& 
   const uint32_t parent = cut_.wedge_hierarchy[wedge];
   if (!of_a.empty() && !of_b.empty()) {
     const uint32_t a = of_a[0], b = of_b[0];
-    const Ring ring = ringOf(wedge, plan, fan);
+    const uint32_t node = cut_.wedge_node[wedge];
+    const bool predicted = isPredicted(node, fan);
+    const format::RingNeighbours ring = predicted ? ringOf(node, wedge, plan, fan) : format::RingNeighbours{};
     auto pair = [&](Residual::Kind kind, uint32_t set, uint32_t at, format::Int2 d) {
       Residual residual;
       residual.kind = kind;
       residual.set = static_cast<uint8_t>(set);
       residual.components = 2;
       residual.difference = {d.x, d.y, 0};
-      for (uint32_t c = 0; c < 2; ++c) residual.slope[c] = slopeOf(ring, parent, at + c);
+      for (uint32_t c = 0; c < 2; ++c)
+        residual.slope[c] = ring.slopeOf([&](uint32_t neighbour) {
+          return attributes(cut_.wedge_hierarchy[neighbour])[at + c] - attributes(parent)[at + c];
+        });
       return residual;
     };
     if (record.normal != kNone) {
       Residual residual =
           pair(Residual::Kind::kNormal, 0, record.normal, directionDifference(record.normal, parent, a, b, plan.t8));
-      residual.geometry = {ring.normal_difference.x, ring.normal_difference.y, 0};
+      const format::Int2 apart = predicted ? normalDifference(wedge, plan, fan) : format::Int2{0, 0};
+      residual.geometry = {apart.x, apart.y, 0};
       residuals_.add(residual);
     }
     if (record.tangent != kNone) {

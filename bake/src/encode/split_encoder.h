@@ -60,21 +60,11 @@ class SplitEncoder {
   void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
                        const Plan& plan, const format::Fan& fan);
   format::Int2 directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, int32_t t8) const;
-  /// A neighbour of the split node: its position relative to the node's, shifted, and its wedge.
-  struct Neighbour {
-    format::Int3 r;
-    uint32_t wedge;
-  };
-  /// The corners of a fan at one wedge of the split node (kNone: at all of them), as predictions use them.
-  struct Ring {
-    std::vector<Neighbour> neighbours;
-    format::Gradient gradient;
-    format::Int2 normal_difference{0, 0};
-  };
-  Ring ringOf(uint32_t wedge, const Plan& plan, const format::Fan& fan) const;
+  bool isPredicted(uint32_t node, const format::Fan& fan) const;
+  uint32_t cornerWedge(uint32_t corner) const { return cut_.face_wedges[corner / 3][corner % 3]; }
+  format::RingNeighbours ringOf(uint32_t node, uint32_t wedge, const Plan& plan, const format::Fan& fan) const;
   format::Int2 normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan) const;
-  format::Slope slopeOf(const Ring& ring, uint32_t parent, uint32_t at) const;
-  SkinSlopes skinSlopes(uint32_t node, const Plan& plan, const format::Fan& fan) const;
+  format::Int3 filePosition(uint32_t node) const { return positionOf(cut_.node_hierarchy[node]); }
   format::Int3 positionOf(uint32_t hierarchy_node) const {
     const glm::ivec3& p = cut_.h.position[hierarchy_node];
     return {p.x, p.y, p.z};

@@ -34,6 +34,18 @@ LITHE_INLINE void addPlane(QuadricOf<L>& q, const Vec3<L>& n, const L& d, const 
   q.c += wd * d;
 }
 
+/// Adds weight * |x + d|^2.
+template <class L>
+LITHE_INLINE void addPoint(QuadricOf<L>& q, const Vec3<L>& d, const L& weight) {
+  q.xx += weight;
+  q.yy += weight;
+  q.zz += weight;
+  q.bx += weight * d.x;
+  q.by += weight * d.y;
+  q.bz += weight * d.z;
+  q.c += weight * dot(d, d);
+}
+
 /// A x + b: half the gradient.
 template <class L>
 LITHE_INLINE Vec3<L> halfGradient(const QuadricOf<L>& q, const Vec3<L>& x) {

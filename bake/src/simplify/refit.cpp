@@ -119,19 +119,11 @@ LITHE_KERNEL float energyOf(const Residual& r, uint32_t blocks) {
 /// Adds to a corner's quadric, about its posed position, what the match costs when the corner moves. The square of a
 /// sum of shares is at most the sum of the shares' squares (Jensen), so that corners that move at once never overshoot.
 LITHE_KERNEL void addMatch(const Residual& r, float share, uint32_t blocks, Quadric* q) {
-  const float weight = r.area * share, hold = r.hold;
+  const Lanes weight = Lanes{} + r.area * share, hold = weight * r.hold;
   for (uint32_t i = 0; i < blocks; ++i) {
-    const PosedPoint off = offset<Lanes>(r, i), n = r.normal[i];
-    const Lanes height = dot(off, n);
-    q[i].xx += (n.x * n.x + hold) * weight;
-    q[i].xy += n.x * n.y * weight;
-    q[i].xz += n.x * n.z * weight;
-    q[i].yy += (n.y * n.y + hold) * weight;
-    q[i].yz += n.y * n.z * weight;
-    q[i].zz += (n.z * n.z + hold) * weight;
-    q[i].bx += (height * n.x + off.x * hold) * weight;
-    q[i].by += (height * n.y + off.y * hold) * weight;
-    q[i].bz += (height * n.z + off.z * hold) * weight;
+    const PosedPoint off = offset<Lanes>(r, i);
+    addPlane(q[i], r.normal[i], dot(off, r.normal[i]), weight);
+    addPoint(q[i], off, hold);
   }
 }
 
@@ -184,18 +176,17 @@ uint32_t Refit::slotOf(uint32_t vertex) {
   return root;
 }
 
-void Refit::pose(const Match& m) {
-  samplePoint(position_.data() + size_t{m.vertex[0]} * blocks_, position_.data() + size_t{m.vertex[1]} * blocks_,
-              position_.data() + size_t{m.vertex[2]} * blocks_, m.at, !m.border, blocks_, point_.data(),
-              normal_.data());
+void Refit::poseSample(const Match& match) {
+  const PosedPoint* vertex[3];
+  for (uint32_t k = 0; k < 3; ++k) vertex[k] = position_.data() + size_t{match.from.vertex[k]} * blocks_;
+  samplePoint(vertex[0], vertex[1], vertex[2], match.at, !match.border, blocks_, point_.data(), normal_.data());
 }
 
-bool Refit::match(const NodeState& nodes, const Surface& surface, Match& match) {
+bool Refit::findNearest(const NodeState& nodes, const Surface& surface, Match& match) {
   double least = 1e300;
-  pose(match);
   uint32_t seen[3];
   for (uint32_t k = 0; k < 3; ++k) {
-    const uint32_t slot = seen[k] = slotOf(match.vertex[k]);
+    const uint32_t slot = seen[k] = slotOf(match.from.vertex[k]);
     if ((k > 0 && slot == seen[0]) || (k > 1 && slot == seen[1])) continue;
     for (uint32_t id : surface.facesAt(slot)) {
       const Face& face = surface.face(id);
@@ -213,15 +204,36 @@ bool Refit::match(const NodeState& nodes, const Surface& surface, Match& match) 
   return least < 1e300;
 }
 
-void Refit::matchAll(const NodeState& nodes, const Surface& surface) {
+double Refit::accumulate(const Match& match, const NodeState& nodes, const Surface& surface) {
+  const Face& face = surface.face(match.face);
+  Residual residual;
+  for (uint32_t k = 0; k < 3; ++k) {
+    residual.corner[k] = nodes.posed.at(face.corner[k]);
+    residual.share[k] = match.share[k];
+  }
+  residual.point = point_.data();
+  residual.normal = normal_.data();
+  residual.area = match.area;
+  residual.hold = match.border ? 1.0f : kHold;
+  for (uint32_t k = 0; k < 3; ++k)
+    if (is_new_[face.corner[k]] && match.share[k] > 0.0f)
+      addMatch(residual, match.share[k], blocks_, quadric_.data() + size_t{new_index_[face.corner[k]]} * blocks_);
+  return energyOf(residual, blocks_);
+}
+
+// Fills the quadrics of the new slots; returns the energy of the surface as it is.
+double Refit::matchAll(const NodeState& nodes, const Surface& surface) {
   static constexpr float kCentre[3] = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
   static constexpr float kInner[3][3] = {{4.0f / 6.0f, 1.0f / 6.0f, 1.0f / 6.0f},
                                          {1.0f / 6.0f, 4.0f / 6.0f, 1.0f / 6.0f},
                                          {1.0f / 6.0f, 1.0f / 6.0f, 4.0f / 6.0f}};
-  matches_.clear();
+  static constexpr float kMiddle[3] = {0.5f, 0.5f, 0.0f};
+  std::fill(quadric_.begin(), quadric_.end(), Quadric{});
+  double energy = 0.0;
   auto add = [&](const Sampled& from, const float* at, float area, bool border) {
-    Match m{from.vertex, {at[0], at[1], at[2]}, area, border, 0, {}};
-    if (match(nodes, surface, m)) matches_.push_back(m);
+    Match match{from, at, area, border, 0, {}};
+    poseSample(match);
+    if (findNearest(nodes, surface, match)) energy += accumulate(match, nodes, surface);
   };
   const size_t wanted = size_t{kMatchesPerTriangle} * std::max(1u, surface.triangleCount());
   const size_t stride = std::max<size_t>(1, faces_.size() / wanted);
@@ -232,30 +244,7 @@ void Refit::matchAll(const NodeState& nodes, const Surface& surface) {
     else
       add(faces_[i], kCentre, faces_[i].area * static_cast<float>(stride), false);
   }
-  static constexpr float kMiddle[3] = {0.5f, 0.5f, 0.0f};
   for (const Sampled& border : borders_) add(border, kMiddle, border.area, true);
-}
-
-double Refit::accumulate(const NodeState& nodes, const Surface& surface) {
-  std::fill(quadric_.begin(), quadric_.end(), Quadric{});
-  double energy = 0.0;
-  for (const Match& m : matches_) {
-    const Face& face = surface.face(m.face);
-    pose(m);
-    Residual residual;
-    for (uint32_t k = 0; k < 3; ++k) {
-      residual.corner[k] = nodes.posed.at(face.corner[k]);
-      residual.share[k] = m.share[k];
-    }
-    residual.point = point_.data();
-    residual.normal = normal_.data();
-    residual.area = m.area;
-    residual.hold = m.border ? 1.0f : kHold;
-    energy += energyOf(residual, blocks_);
-    for (uint32_t k = 0; k < 3; ++k)
-      if (is_new_[face.corner[k]] && m.share[k] > 0.0f)
-        addMatch(residual, m.share[k], blocks_, quadric_.data() + size_t{new_index_[face.corner[k]]} * blocks_);
-  }
   return energy;
 }
 
@@ -292,41 +281,48 @@ bool Refit::step(uint32_t slot, NodeState& nodes, const Surface& surface) {
   return false;
 }
 
+std::vector<glm::ivec3> Refit::places(const NodeState& nodes) const {
+  std::vector<glm::ivec3> places;
+  for (uint32_t slot : new_slots_) places.push_back(nodes.positions[slot]);
+  return places;
+}
+
+void Refit::putBack(const std::vector<glm::ivec3>& places, NodeState& nodes) {
+  for (size_t i = 0; i < places.size(); ++i) {
+    const uint32_t slot = new_slots_[i];
+    nodes.positions[slot] = places[i];
+    transformPoint(blendSkin(nodes.posed, nodes.skins[slot], blend_.data()), blocks_, glm::vec3(places[i]),
+                   nodes.posed.at(slot));
+  }
+}
+
 void Refit::run(NodeState& nodes, const Surface& surface,
                 const std::function<void(uint32_t, const PosedPoint*)>& moved) {
   std::erase_if(new_slots_, [&](uint32_t slot) { return !is_new_[slot]; });
-  const size_t count = new_slots_.size();
-  quadric_.resize(count * blocks_);
-  at_start_.resize(count * blocks_);
-  for (uint32_t i = 0; i < count; ++i) {
-    new_index_[new_slots_[i]] = i;
-    std::copy_n(nodes.posed.at(new_slots_[i]), blocks_, at_start_.data() + size_t{i} * blocks_);
-  }
-  std::vector<glm::ivec3> first(count), before(count);
-  std::vector<PosedPoint> posed_before(count * blocks_);
-  for (size_t i = 0; i < count; ++i) first[i] = nodes.positions[new_slots_[i]];
-  double last = 1e300;
-  for (uint32_t pass = 0; pass <= kPasses; ++pass) {
-    matchAll(nodes, surface);
-    const double energy = accumulate(nodes, surface);
-    if (!(energy < last)) {  // the last pass made it worse
-      for (size_t i = 0; i < count; ++i) {
-        nodes.positions[new_slots_[i]] = before[i];
-        std::copy_n(posed_before.data() + i * blocks_, blocks_, nodes.posed.at(new_slots_[i]));
-      }
+  for (uint32_t i = 0; i < new_slots_.size(); ++i) new_index_[new_slots_[i]] = i;
+  quadric_.resize(new_slots_.size() * blocks_);
+  const std::vector<glm::ivec3> first = places(nodes);
+
+  double energy = matchAll(nodes, surface);
+  for (uint32_t pass = 0; pass < kPasses; ++pass) {
+    const std::vector<glm::ivec3> before = places(nodes);
+    for (uint32_t slot : new_slots_) step(slot, nodes, surface);
+    const double next = matchAll(nodes, surface);
+    if (!(next < energy)) {
+      putBack(before, nodes);
       break;
     }
-    last = energy;
-    if (pass == kPasses) break;
-    for (size_t i = 0; i < count; ++i) {
-      before[i] = nodes.positions[new_slots_[i]];
-      std::copy_n(nodes.posed.at(new_slots_[i]), blocks_, posed_before.data() + i * blocks_);
-    }
-    for (uint32_t slot : new_slots_) step(slot, nodes, surface);
+    energy = next;
   }
-  for (size_t i = 0; i < count; ++i)
-    if (nodes.positions[new_slots_[i]] != first[i]) moved(new_slots_[i], at_start_.data() + i * blocks_);
-  for (uint32_t slot : new_slots_) is_new_[slot] = 0;
+
+  for (size_t i = 0; i < first.size(); ++i) {
+    const uint32_t slot = new_slots_[i];
+    is_new_[slot] = 0;
+    if (nodes.positions[slot] == first[i]) continue;
+    transformPoint(blendSkin(nodes.posed, nodes.skins[slot], blend_.data()), blocks_, glm::vec3(first[i]),
+                   trial_.data());
+    moved(slot, trial_.data());
+  }
   new_slots_.clear();
 }
 

@@ -38,8 +38,8 @@ class Refit {
   };
   /// A sample, and the nearest point of the surface as shares of a face's corners.
   struct Match {
-    std::array<uint32_t, 3> vertex;
-    float at[3];  ///< shares of the vertices
+    const Sampled& from;
+    const float* at;  ///< shares of its vertices
     float area;
     bool border;
     uint32_t face;
@@ -51,13 +51,14 @@ class Refit {
   };
 
   uint32_t slotOf(uint32_t vertex);
-  void matchAll(const NodeState& nodes, const Surface& surface);
-  void pose(const Match& m);
-  bool match(const NodeState& nodes, const Surface& surface, Match& match);
-  double accumulate(const NodeState& nodes, const Surface& surface);
-  void stepAll(NodeState& nodes, const Surface& surface);
+  double matchAll(const NodeState& nodes, const Surface& surface);
+  void poseSample(const Match& match);
+  bool findNearest(const NodeState& nodes, const Surface& surface, Match& match);
+  double accumulate(const Match& match, const NodeState& nodes, const Surface& surface);
   bool step(uint32_t slot, NodeState& nodes, const Surface& surface);
   bool mayMove(uint32_t slot, const PosedPoint* to, const NodeState& nodes, const Surface& surface) const;
+  std::vector<glm::ivec3> places(const NodeState& nodes) const;
+  void putBack(const std::vector<glm::ivec3>& places, NodeState& nodes);
 
   const EdgeWeights weights_;
   uint32_t blocks_;
@@ -68,11 +69,9 @@ class Refit {
   std::vector<uint8_t> is_new_;  // per slot: made since the last run
   std::vector<uint32_t> new_slots_;
 
-  std::vector<Match> matches_;
   std::vector<Quadric> quadric_;     // of the new slots, by new_index_
   std::vector<uint32_t> new_index_;  // per slot
-  std::vector<glm::ivec3> before_;   // per new slot
-  std::vector<PosedPoint> at_start_, trial_;
+  std::vector<PosedPoint> trial_;
   std::vector<PosedPoint> point_, normal_;  // of the sample at hand
   std::vector<Affine> blend_;
 };

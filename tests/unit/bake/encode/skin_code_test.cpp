@@ -94,11 +94,14 @@ std::vector<int32_t> valuesOf(const PageData& page, uint32_t stream) {
   return page.streams[stream].attributes[0].values;
 }
 
+const format::RingNeighbours kNoNeighbours{};
+const SkinRing kNoRing{kNoNeighbours, {}};
+
 /// Without neighbours to predict from, on a page of its own: the differences are the stream's values.
 void encodeAlone(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b, int32_t t8,
                  PageData& page) {
   Residuals residuals;
-  encodeSkins(parent, a, b, t8, kOne, SkinSlopes(), page, residuals);
+  encodeSkins(parent, a, b, t8, kOne, kNoRing, page, residuals);
   residuals.finish(page);
 }
 
@@ -190,7 +193,7 @@ TEST(SkinCode, EverySkinComesBack) {
         split.parent = interpolateSkin(split.b, split.a, split.t8, kOne, cap);
         break;
     }
-    encodeSkins(split.parent, split.a, split.b, split.t8, kOne, SkinSlopes(), page, residuals);
+    encodeSkins(split.parent, split.a, split.b, split.t8, kOne, kNoRing, page, residuals);
     ++modes[page.streams[format::kSplits].attributes[format::kSplitSkin].values.back()];
     splits.push_back(split);
   }
