@@ -56,6 +56,28 @@ std::vector<std::string> defaultCharacters() {
   return characters;
 }
 
+int runOverCharacters(int argc, char** argv, const std::string& usage,
+                      void (*bench)(const std::vector<std::string>& names, bool json)) try {
+  std::vector<std::string> names;
+  bool json = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--json" && usage.find("[--json]") != std::string::npos) {
+      json = true;
+    } else if (argument.starts_with('-')) {
+      std::fprintf(stderr, "unknown option %s: use %s\n", argument.c_str(), usage.c_str());
+      return 2;
+    } else {
+      names.push_back(argument);
+    }
+  }
+  bench(names.empty() ? defaultCharacters() : names, json);
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}
+
 Character bakeCharacter(const std::string& name_or_path) {
   Character character;
   const bool built_in = isBuiltIn(name_or_path);

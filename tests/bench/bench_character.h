@@ -16,6 +16,11 @@ namespace lithe::bench {
 /// The built-in characters, then the shared glTF files in the order of their paths. Says on stderr when there are none.
 std::vector<std::string> defaultCharacters();
 
+/// A bench's main: calls bench(names, json) with the characters that the arguments name, or the default ones. --json is
+/// an option where the usage says so. Returns the exit code.
+int runOverCharacters(int argc, char** argv, const std::string& usage,
+                      void (*bench)(const std::vector<std::string>& names, bool json));
+
 struct Character {
   std::string name;            ///< a built-in name, or the file's without its extension
   std::vector<uint8_t> bytes;  ///< of the .lithe file

@@ -156,27 +156,17 @@ void printMemory(const std::vector<Decoding>& all) {
   std::printf("| **geometric mean** | | | | **%.2f** |\n", geometricMean(all, share));
 }
 
-int run(std::vector<std::string> names) {
-  for (const std::string& name : names)
-    if (name.starts_with('-')) {
-      std::fprintf(stderr, "unknown option %s: use bench_decode [NAME|FILE.glb ...]\n", name.c_str());
-      return 2;
-    }
-  if (names.empty()) names = defaultCharacters();
+void run(const std::vector<std::string>& names, bool) {
   std::vector<Decoding> all;
   for (const std::string& name : names) all.push_back(measure(name));
   printTimes(all);
   printRecords(all);
   printMemory(all);
-  return 0;
 }
 
 }  // namespace
 }  // namespace lithe::bench
 
-int main(int argc, char** argv) try {
-  return lithe::bench::run({argv + 1, argv + argc});
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "%s\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return lithe::bench::runOverCharacters(argc, argv, "bench_decode [NAME|FILE.glb ...]", lithe::bench::run);
 }

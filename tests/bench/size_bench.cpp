@@ -155,34 +155,17 @@ void printJson(const std::vector<Sizes>& all) {
   std::printf("%s\n", report.dump(2).c_str());
 }
 
-int run(const std::vector<std::string>& arguments) {
-  bool json = false;
-  std::vector<std::string> names;
-  for (const std::string& argument : arguments) {
-    if (argument == "--json") {
-      json = true;
-    } else if (argument.starts_with('-')) {
-      std::fprintf(stderr, "unknown option %s: use bench_size [NAME|FILE.glb ...] [--json]\n", argument.c_str());
-      return 2;
-    } else {
-      names.push_back(argument);
-    }
-  }
-  if (names.empty()) names = defaultCharacters();
+void run(const std::vector<std::string>& names, bool json) {
   std::vector<Sizes> all;
   for (const std::string& name : names) all.push_back(measure(name));
-  if (json) return printJson(all), 0;
+  if (json) return printJson(all);
   printSizeTable(all);
   printKindTable(all);
-  return 0;
 }
 
 }  // namespace
 }  // namespace lithe::bench
 
-int main(int argc, char** argv) try {
-  return lithe::bench::run({argv + 1, argv + argc});
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "%s\n", error.what());
-  return 1;
+int main(int argc, char** argv) {
+  return lithe::bench::runOverCharacters(argc, argv, "bench_size [NAME|FILE.glb ...] [--json]", lithe::bench::run);
 }

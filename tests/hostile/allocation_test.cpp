@@ -35,6 +35,19 @@ TEST(Allocation, OpenFailsAtEveryCall) {
   }
 }
 
+/// The asset without its pages; null where it cannot be opened.
+lithe_asset* openWith(BoundedAllocator& memory, const FileBytes& bytes) {
+  const lithe_allocator allocator = memory.get();
+  lithe_asset* asset = nullptr;
+  EXPECT_EQ(lithe_asset_open(&allocator, bytes.data(), bytes.size(), nullptr, &asset), LITHE_OK);
+  return asset;
+}
+
+void expectLevels(const lithe_asset* asset, const lithe_asset_info& info, const Outcome& sound) {
+  for (uint32_t level = 0; level < info.level_count; ++level)
+    EXPECT_TRUE(drawLevel(asset, info, level) == sound.levels[level]);
+}
+
 /// Supplies every page; at a failure the same page is supplied again. Returns how often that was.
 uint32_t supplyWithRetries(lithe_asset* asset, const FileBytes& bytes, const lithe_asset_info& info,
                            const Outcome& sound) {
@@ -66,15 +79,13 @@ TEST(Allocation, SupplyFailsAtEveryCallAndGoesOn) {
   for (size_t fail_at = 2; fail_at < calls; ++fail_at) {
     BoundedAllocator memory;
     memory.fail_at = fail_at;
-    const lithe_allocator allocator = memory.get();
-    lithe_asset* asset = nullptr;
-    ASSERT_EQ(lithe_asset_open(&allocator, bytes.data(), bytes.size(), nullptr, &asset), LITHE_OK);
+    lithe_asset* asset = openWith(memory, bytes);
+    ASSERT_NE(asset, nullptr);
     lithe_asset_info info;
     lithe_asset_describe(asset, &info);
     failed += supplyWithRetries(asset, bytes, info, sound);
     EXPECT_EQ(lithe_asset_resident_level(asset), info.level_count - 1);
-    for (uint32_t level = 0; level < info.level_count; ++level)
-      EXPECT_TRUE(drawLevel(asset, info, level) == sound.levels[level]);
+    expectLevels(asset, info, sound);
     lithe_asset_close(asset);
     EXPECT_EQ(memory.held, 0u);
   }
@@ -88,9 +99,8 @@ TEST(Allocation, EvictFailsAtEveryCallAndDropsTheLevelsAllTheSame) {
   uint32_t failed = 0;
   for (size_t at = 0; at < 5; ++at) {
     BoundedAllocator memory;
-    const lithe_allocator allocator = memory.get();
-    lithe_asset* asset = nullptr;
-    ASSERT_EQ(lithe_asset_open(&allocator, bytes.data(), bytes.size(), nullptr, &asset), LITHE_OK);
+    lithe_asset* asset = openWith(memory, bytes);
+    ASSERT_NE(asset, nullptr);
     lithe_asset_info info;
     lithe_asset_describe(asset, &info);
     supplyWithRetries(asset, bytes, info, sound);
@@ -103,8 +113,7 @@ TEST(Allocation, EvictFailsAtEveryCallAndDropsTheLevelsAllTheSame) {
     EXPECT_TRUE(drawLevel(asset, info, 0) == sound.levels[0]);
     memory.fail_at = SIZE_MAX;
     EXPECT_EQ(supplyWithRetries(asset, bytes, info, sound), 0u);
-    for (uint32_t level = 0; level < info.level_count; ++level)
-      EXPECT_TRUE(drawLevel(asset, info, level) == sound.levels[level]);
+    expectLevels(asset, info, sound);
     lithe_asset_close(asset);
     EXPECT_EQ(memory.held, 0u);
   }

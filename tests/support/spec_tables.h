@@ -79,6 +79,12 @@ class Specification {
   std::vector<std::string> lines_;
 };
 
+/// docs/format.md.
+inline const Specification& spec() {
+  static const Specification specification(LITHE_SOURCE_DIR "/docs/format.md");
+  return specification;
+}
+
 /// Bytes of a type as the tables write it: "u8 x 3", "f32", "28 bytes".
 inline uint32_t bytesOfType(const std::string& type) {
   const uint32_t first = static_cast<uint32_t>(std::stoul(type.substr(type.find_first_of("0123456789"))));

@@ -16,13 +16,8 @@ namespace {
 
 using test::bytesOfType;
 using test::numbersIn;
-using test::Specification;
+using test::spec;
 using test::SpecRow;
-
-const Specification& spec() {
-  static const Specification specification(LITHE_SOURCE_DIR "/docs/format.md");
-  return specification;
-}
 
 struct Field {
   const char* name;

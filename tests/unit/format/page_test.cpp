@@ -18,13 +18,8 @@ namespace lithe::format {
 namespace {
 
 using test::numbersIn;
-using test::Specification;
+using test::spec;
 using test::SpecRow;
-
-const Specification& spec() {
-  static const Specification specification(LITHE_SOURCE_DIR "/docs/format.md");
-  return specification;
-}
 
 constexpr WedgeAttributes kEverything{true, true, 1, 1};
 constexpr WedgeAttributes kAllSets{true, true, 8, 2};

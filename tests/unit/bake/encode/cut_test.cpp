@@ -15,11 +15,19 @@ using Ids = std::vector<uint32_t>;
 /// The tetrahedron with 0 and 1 merged into node 4: roots 2, 3, 4 and the faces 2 and 3, back to back.
 struct HalfTetrahedron {
   Mesh mesh = test::tetrahedron();
-  Hierarchy h;
-  HalfTetrahedron() {
+  Hierarchy h = collapsed(mesh);
+  Cut cut{h};
+
+  static Hierarchy collapsed(const Mesh& mesh) {
     CollapseList list(mesh);
     list.add(0, 1, 4);
-    h = buildHierarchy(mesh, list.sequence, 31);
+    return buildHierarchy(mesh, list.sequence, 31);
+  }
+
+  /// The cut of file nodes 0, 1 and 2: the vertices 2 and 3, and node 4.
+  Cut& withItsNodes() {
+    for (uint32_t node : {2u, 3u, 4u}) cut.addNode(node, {node});
+    return cut;
   }
 };
 
@@ -46,11 +54,8 @@ TEST(Cut, NodeAboveIsTheDeepestOneInTheFile) {
 }
 
 TEST(Cut, FanListsCornersInAscendingOrderWithTheirNeighbours) {
-  const HalfTetrahedron half;
-  Cut cut(half.h);
-  cut.addNode(2, {2});
-  cut.addNode(3, {3});
-  cut.addNode(4, {4});
+  HalfTetrahedron half;
+  Cut& cut = half.withItsNodes();
   cut.addFace(2, 0, {2, 1, 0});  // node 4, node 3, node 2
   cut.addFace(3, 0, {0, 1, 2});
   const format::Fan& fan = cut.fanOf(2);
@@ -61,11 +66,8 @@ TEST(Cut, FanListsCornersInAscendingOrderWithTheirNeighbours) {
 }
 
 TEST(Cut, RotatedFacesKnowTheLeavesOfTheirCorners) {
-  const HalfTetrahedron half;
-  Cut cut(half.h);
-  cut.addNode(2, {2});
-  cut.addNode(3, {3});
-  cut.addNode(4, {4});
+  HalfTetrahedron half;
+  Cut& cut = half.withItsNodes();
   cut.addFace(3, 1, {1, 2, 0});  // triangle (2, 3, 0) beginning with its corner 1
   EXPECT_EQ(cut.leafVertex(0), 3u);
   EXPECT_EQ(cut.leafVertex(1), 0u);
@@ -74,11 +76,8 @@ TEST(Cut, RotatedFacesKnowTheLeavesOfTheirCorners) {
 }
 
 TEST(Cut, AMovedCornerBelongsToItsNewNode) {
-  const HalfTetrahedron half;
-  Cut cut(half.h);
-  cut.addNode(2, {2});
-  cut.addNode(3, {3});
-  cut.addNode(4, {4});
+  HalfTetrahedron half;
+  Cut& cut = half.withItsNodes();
   cut.addFace(2, 0, {2, 1, 0});
   cut.addNode(0, {0});
   cut.addNode(1, {1});

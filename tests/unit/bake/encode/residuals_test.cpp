@@ -151,12 +151,19 @@ TEST(Residuals, ComeBackInTheOrderInWhichTheyWereAdded) {
   }
 }
 
+/// A page of `count` residuals that make() gives.
+template <class Make>
+PageData pageOf(int count, format::WedgeAttributes has, const Make& make) {
+  Residuals residuals;
+  for (int i = 0; i < count; ++i) residuals.add(make(i));
+  PageData page = makePage(format::kSplitPage, has);
+  residuals.finish(page);
+  return page;
+}
+
 TEST(Residuals, ParametersStayInTheirRanges) {
   test::Random random(8);
-  Residuals residuals;
-  for (int i = 0; i < 300; ++i) residuals.add(randomResidual(random));
-  PageData page = makePage(format::kSplitPage, kHas);
-  residuals.finish(page);
+  const PageData page = pageOf(300, kHas, [&](int) { return randomResidual(random); });
   for (uint32_t i :
        {uint32_t{format::kPositionMean}, uint32_t{format::kNormalGradient}, uint32_t{format::kNormalGeometry},
         uint32_t{format::kTangentGradient}, uint32_t{format::kSkinGradient}, format::kUvGradient0 + 1u})
@@ -169,16 +176,13 @@ TEST(Residuals, ParametersStayInTheirRanges) {
 }
 
 TEST(Residuals, AbsentAttributesLeaveTheirParametersZero) {
-  Residuals residuals;
-  Residual r;
-  r.components = 3;
-  r.extent = 900;
-  for (int i = 0; i < 100; ++i) {
+  const PageData page = pageOf(100, {false, false, 0, 0}, [](int i) {
+    Residual r;
+    r.components = 3;
+    r.extent = 900;
     r.difference = {i * 37 % 101, -i, i * i};
-    residuals.add(r);
-  }
-  PageData page = makePage(format::kSplitPage, {false, false, 0, 0});
-  residuals.finish(page);
+    return r;
+  });
   for (uint32_t i = 0; i < format::kParameterBytes; ++i) {
     if (i == format::kPositionMean || i == format::kPositionBias || i == format::kHeightBias) continue;
     EXPECT_EQ(page.parameters[i], 0) << i;
@@ -188,8 +192,7 @@ TEST(Residuals, AbsentAttributesLeaveTheirParametersZero) {
 // What predictions are for: where they tell the difference exactly, nothing but zeros is left.
 TEST(Residuals, AFittingSlopeIsFound) {
   test::Random random(9);
-  Residuals residuals;
-  for (int i = 0; i < 200; ++i) {
+  const PageData page = pageOf(200, kHas, [&](int) {
     Residual r;
     r.components = 3;
     r.extent = 200;
@@ -197,10 +200,8 @@ TEST(Residuals, AFittingSlopeIsFound) {
       r.difference[c] = random.between(-50, 50);
       r.slope[c] = {4 * 2 * r.difference[c], 4};  // twice the difference: eight sixteenths
     }
-    residuals.add(r);
-  }
-  PageData page = makePage(format::kSplitPage, kHas);
-  residuals.finish(page);
+    return r;
+  });
   EXPECT_EQ(page.parameters[format::kPositionMean], 8);
   for (uint32_t attribute : {format::kSplitPosition, format::kSplitPositionHeight})
     for (int32_t value : page.streams[format::kSplits].attributes[attribute].values) ASSERT_EQ(value, 0);
@@ -209,8 +210,7 @@ TEST(Residuals, AFittingSlopeIsFound) {
 
 TEST(Residuals, AFittingGeometryIsFound) {
   test::Random random(10);
-  Residuals residuals;
-  for (int i = 0; i < 200; ++i) {
+  const PageData page = pageOf(200, kHas, [&](int) {
     Residual r;
     r.kind = Kind::kNormal;
     r.components = 2;
@@ -219,10 +219,8 @@ TEST(Residuals, AFittingGeometryIsFound) {
       r.geometry[c] = 2 * r.difference[c];
       r.slope[c] = {random.between(-50, 50), 1};
     }
-    residuals.add(r);
-  }
-  PageData page = makePage(format::kSplitPage, kHas);
-  residuals.finish(page);
+    return r;
+  });
   EXPECT_EQ(page.parameters[format::kNormalGeometry], 8);
   EXPECT_EQ(page.parameters[format::kNormalGradient], 0);
   for (int32_t value : page.streams[format::kNormals].attributes[0].values) ASSERT_EQ(value, 0);
@@ -231,18 +229,15 @@ TEST(Residuals, AFittingGeometryIsFound) {
 // Differences that lie in the ring's plane have no height.
 TEST(Residuals, HeightsOfAPlaneAreZero) {
   test::Random random(11);
-  Residuals residuals;
-  for (int i = 0; i < 200; ++i) {
+  const PageData page = pageOf(200, kHas, [&](int) {
     Residual r;
     r.components = 3;
     r.extent = 200;
     r.normal = {100, -200, 400};
     const int32_t u = 4 * random.between(-30, 30), v = 4 * random.between(-30, 30);
     r.difference = {u, v, -(100 * u - 200 * v) / 400};
-    residuals.add(r);
-  }
-  PageData page = makePage(format::kSplitPage, kHas);
-  residuals.finish(page);
+    return r;
+  });
   for (int32_t value : page.streams[format::kSplits].attributes[format::kSplitPositionHeight].values)
     ASSERT_EQ(value, 0);
 }
@@ -250,18 +245,15 @@ TEST(Residuals, HeightsOfAPlaneAreZero) {
 // Where most differences are equal a prediction would scatter them.
 TEST(Residuals, APredictionThatCostsMoreIsLeftOut) {
   test::Random random(12);
-  Residuals residuals;
-  for (int i = 0; i < 400; ++i) {
+  const PageData page = pageOf(400, kHas, [&](int i) {
     Residual r;
     r.kind = Kind::kUv;
     r.components = 2;
     const bool rare = i % 40 == 0;
     r.difference = {rare ? random.between(-4000, 4000) : 60, rare ? random.between(-4000, 4000) : 60, 0};
     for (size_t c = 0; c < 2; ++c) r.slope[c] = {rare ? r.difference[c] : random.between(20, 100), 1};
-    residuals.add(r);
-  }
-  PageData page = makePage(format::kSplitPage, kHas);
-  residuals.finish(page);
+    return r;
+  });
   EXPECT_EQ(page.parameters[format::kUvGradient0], 0);
 }
 

@@ -97,14 +97,28 @@ TEST(BaseEncoder, RefusesABaseBeyondTheFormat) {
 
 // ---- Splits ----
 
+/// The tetrahedron collapsed to one node.
+struct Tetrahedron {
+  Mesh mesh = test::tetrahedron();
+  Encoding encoding{mesh, sequence(mesh)};
+
+  static CollapseSequence sequence(const Mesh& mesh) {
+    CollapseList list(mesh);
+    list.add(0, 1, 4);
+    list.add(4, 2, 2);
+    list.add(5, 3, 0);
+    return list.sequence;
+  }
+
+  Encoding& splitAll() {
+    for (uint32_t node : {0u, 1u, 3u}) encoding.encoder.split(node);
+    return encoding;
+  }
+};
+
 TEST(SplitEncoder, ChildrenAreNumberedOneAfterTheOther) {
-  const Mesh mesh = test::tetrahedron();
-  CollapseList list(mesh);
-  list.add(0, 1, 4);
-  list.add(4, 2, 2);
-  list.add(5, 3, 0);
-  Encoding e(mesh, list.sequence);
-  for (uint32_t node : {0u, 1u, 3u}) e.encoder.split(node);
+  Tetrahedron tetrahedron;
+  Encoding& e = tetrahedron.splitAll();
   // 6 -> 5, 3; 5 -> 4, 2; 4 -> its children in the order that makes its ring a closed one in mode 0: 1, 0.
   EXPECT_EQ(e.cut.node_hierarchy, (Ids{6, 5, 3, 4, 2, 1, 0}));
   EXPECT_EQ(e.cut.face_triangle.size(), 4u);
@@ -112,13 +126,8 @@ TEST(SplitEncoder, ChildrenAreNumberedOneAfterTheOther) {
 }
 
 TEST(SplitEncoder, TetrahedronByHand) {
-  const Mesh mesh = test::tetrahedron();
-  CollapseList list(mesh);
-  list.add(0, 1, 4);
-  list.add(4, 2, 2);
-  list.add(5, 3, 0);
-  Encoding e(mesh, list.sequence);
-  for (uint32_t node : {0u, 1u, 3u}) e.encoder.split(node);
+  Tetrahedron tetrahedron;
+  Encoding& e = tetrahedron.splitAll();
   // t8 counts from child B; the first two splits call child 0 A, the third child 1.
   EXPECT_EQ(e.first(format::kSplits, format::kSplitT8), (Values{8, 6, 4}));
   EXPECT_EQ(e.first(format::kSplits, format::kSplitLattice), Values(6, 0));  // every parent lies where its t8 says
