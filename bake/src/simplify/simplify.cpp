@@ -19,6 +19,8 @@ CollapseSequence simplify(const Mesh& mesh, const std::vector<Joint>& joints, co
   while (collapser.triangleCount() > options.min_triangles) {
     Collapse collapse;
     if (!collapser.collapseNext(collapse)) break;
+    // The last collapse of a closed surface takes two triangles at once.
+    if (collapse.triangles == 0 && options.min_triangles > 0) break;
     sequence.collapses.push_back(collapse);
     if (!refit_at.empty() && collapse.triangles <= refit_at.back()) {
       collapser.refit(sequence.collapses);

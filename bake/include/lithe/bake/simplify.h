@@ -21,7 +21,9 @@ struct SimplifyOptions {
   std::string metric = "articulated";
   uint32_t placement_shift = 4;  ///< of format::latticeStep: how finely parents are placed; 31 = every grid point
   uint32_t threads = 0;          ///< 0 = as many as the machine has; the result does not depend on it
-  uint32_t min_triangles = 0;    ///< stop here; it is always reached
+  /// Stop here. It is always reached, but for the last two triangles of a closed surface, which go together: unless 0
+  /// is asked for they stay.
+  uint32_t min_triangles = 0;
 
   double boundary_weight = 1.0;  ///< of border edges, in units of half the edge length squared
   double seam_weight = 0.1;      ///< of edges whose wedges or parts differ, per side
@@ -45,7 +47,7 @@ struct SimplifyOptions {
 /// The names that SimplifyOptions::metric may have.
 const std::vector<std::string>& metricNames();
 
-/// Simplifies until at most options.min_triangles are left, or nothing is.
+/// Simplifies until at most options.min_triangles are left.
 ///
 /// @param joints  the palette that mesh.skins refer to
 /// @param poses   example poses, at least one, a palette of joints.size() each; the metric `rest` does not read them

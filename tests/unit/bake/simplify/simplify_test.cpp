@@ -103,6 +103,16 @@ TEST_P(EveryMetric, ReachesAnyTargetOnNonManifoldManyComponentInput) {
   expectValid(mesh, sequence, options());
 }
 
+TEST(Simplify, SomethingIsLeftUnlessNothingIsAskedFor) {
+  const Mesh mesh = weldQuietly(tube(16, 24));
+  SimplifyOptions options;
+  options.min_triangles = 1;
+  const CollapseSequence sequence = run(mesh, bendingPoses(4, 90.0, 2.0), options);
+  ASSERT_FALSE(sequence.collapses.empty());
+  EXPECT_GT(sequence.collapses.back().triangles, 0u);
+  EXPECT_LE(sequence.collapses.back().triangles, 2u);
+}
+
 TEST(Simplify, StopsAtTheTarget) {
   const Mesh mesh = weldQuietly(tube(16, 24));
   SimplifyOptions options;
