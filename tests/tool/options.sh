@@ -28,6 +28,10 @@ for metric in rest dsd pose-independent; do
 done
 bakes articulated --poses 4 --metric articulated
 cmp plain.lithe articulated.lithe || complain "articulated is not the default metric"
+bakes as_collapsed --poses 4 --no-refit
+differ plain as_collapsed
+bakes dsd_as_collapsed --poses 4 --metric dsd --no-refit
+cmp dsd.lithe dsd_as_collapsed.lithe || complain "--no-refit changes a metric that never refits"
 bakes clips --poses 4 --clips test
 differ plain clips
 bakes both --poses 4 --clips examples,test

@@ -138,6 +138,27 @@ TEST(Bake, TheReportIsThatOfTheFile) {
   lithe_asset_close(asset);
 }
 
+TEST(Bake, RefitBringsLevelsCloser) {
+  Model bumpy = test::tube(64, 96);
+  for (glm::vec3& p : bumpy.positions) {
+    const float bump = 0.2f * std::sin(9.0f * p.x + 5.0f * p.z) * std::cos(11.0f * p.y - 7.0f * p.z);
+    p += bump * glm::vec3(p.x, p.y, 0.0f);
+  }
+  BakeOptions options = quick();
+  options.levels = {0.2, 0.1, 0.05};
+  const auto levels = [&](bool refit) {
+    options.refit = refit;
+    BakeReport report;
+    bake(bumpy, options, &report);
+    return report.levels;
+  };
+  const auto collapsed = levels(false), refit = levels(true);
+  ASSERT_EQ(collapsed.size(), refit.size());
+  for (size_t i = 0; i + 1 < refit.size(); ++i) {
+    EXPECT_LT(refit[i].error_rms, 0.98 * collapsed[i].error_rms) << "level " << i;
+  }
+}
+
 TEST(Bake, AReportUsedAgainIsFilledAnew) {
   const Model model = test::tube(6, 8);
   BakeReport report;

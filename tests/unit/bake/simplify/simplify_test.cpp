@@ -130,6 +130,19 @@ TEST(Simplify, StopsAtTheTarget) {
   EXPECT_TRUE(run(mesh, bendingPoses(4, 90.0, 2.0), options).collapses.empty());
 }
 
+TEST_P(EveryMetric, RefitsKeepItsPromises) {
+  const Mesh mesh = weldQuietly(tube(16, 24));
+  const std::vector<Pose> poses = bendingPoses(5, 90.0, 2.0);
+  SimplifyOptions refit = options(), plain = options();
+  refit.refit_at = {100, 500, 250};
+  const CollapseSequence sequence = run(mesh, poses, refit), collapsed = run(mesh, poses, plain);
+  expectValid(mesh, sequence, refit);
+  const bool same = std::equal(sequence.collapses.begin(), sequence.collapses.end(), collapsed.collapses.begin(),
+                               collapsed.collapses.end(),
+                               [](const Collapse& a, const Collapse& b) { return a.position == b.position; });
+  EXPECT_EQ(same, refit.metric != "articulated") << "the other metrics leave their vertices where they put them";
+}
+
 TEST(Simplify, HoldsEveryCap) {
   lithe::test::Random random(6);
   Model model = tube(12, 30);
