@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.h"
 #include "asset.h"
+#include "rotation.h"
 
 using namespace lithe::format;   // NOLINT: the records' field names
 using namespace lithe::runtime;  // NOLINT
@@ -10,6 +11,20 @@ namespace {
 
 void loadFloats(const uint8_t* p, uint32_t count, float* out) {
   for (uint32_t i = 0; i < count; ++i) out[i] = loadF32(p + 4 * i);
+}
+
+/// The rotation and the six numbers of the scale of a record's form.
+struct Linear {
+  float rotation[4], scale[6];
+};
+
+Linear linearOf(const lithe_asset& asset, uint32_t form, const uint8_t* kept_rotation) {
+  Linear out;
+  float kept[3];
+  loadFloats(kept_rotation, 3, kept);
+  wholeRotation(formLeftOut(form), kept, out.rotation);
+  loadFloats(asset.head.scales.record(formScale(form)), 6, out.scale);
+  return out;
 }
 
 lithe_level describeLevel(const Level& level) {
@@ -61,18 +76,23 @@ lithe_result lithe_asset_node(const lithe_asset* asset, uint32_t index, lithe_no
   if (!asset || !out || index >= asset->head.nodes.count) return invalidArgument();
   const uint8_t* p = asset->head.nodes.record(index);
   out->name = nameAt(*asset, loadU32(p + node::kNameAt));
-  out->parent = loadU32(p + node::kParentAt);
+  const uint32_t parent = loadU16(p + node::kParentAt);
+  out->parent = parent == node::kNoParent ? LITHE_NO_INDEX : parent;
   loadFloats(p + node::kTranslationAt, 3, out->translation);
-  loadFloats(p + node::kRotationAt, 4, out->rotation);
-  loadFloats(p + node::kScaleAt, 3, out->scale);
+  const Linear linear = linearOf(*asset, loadU16(p + node::kFormAt), p + node::kRotationAt);
+  for (uint32_t i = 0; i < 4; ++i) out->rotation[i] = linear.rotation[i];
+  for (uint32_t i = 0; i < 3; ++i) out->scale[i] = linear.scale[i];
   return LITHE_OK;
 }
 
 lithe_result lithe_asset_joint(const lithe_asset* asset, uint32_t index, lithe_joint* out) {
   if (!asset || !out || index >= asset->head.joints.count) return invalidArgument();
   const uint8_t* p = asset->head.joints.record(index);
-  out->node = loadU32(p + joint::kNodeAt);
-  loadFloats(p + joint::kInverseBindAt, 12, out->inverse_bind);
+  out->node = loadU16(p + joint::kNodeAt);
+  float translation[3];
+  loadFloats(p + joint::kTranslationAt, 3, translation);
+  const Linear linear = linearOf(*asset, loadU16(p + joint::kFormAt), p + joint::kRotationAt);
+  matrixOf(linear.rotation, linear.scale, translation, out->inverse_bind);
   for (uint32_t c = 0; c < 3; ++c) {
     out->box_min[c] = bindCoordinate(asset->head.info, c, loadU16(p + joint::kBoxMinAt + 2 * c));
     out->box_max[c] = bindCoordinate(asset->head.info, c, loadU16(p + joint::kBoxMaxAt + 2 * c));

@@ -23,6 +23,7 @@ constexpr Expected kExpected[] = {
     {info::kId, info::kBytes, 1, 1, &Head::info_record},
     {node::kId, node::kBytes, 0, limits::kSceneNodes, &Head::nodes},
     {joint::kId, joint::kBytes, 0, limits::kJoints, &Head::joints},
+    {scale::kId, scale::kBytes, 0, limits::kScales, &Head::scales},
     {material::kId, material::kBytes, 0, limits::kMaterials, &Head::materials},
     {part::kId, part::kBytes, 1, limits::kParts, &Head::parts},
     {uv_grid::kId, uv_grid::kBytes, 0, limits::kParts* limits::kUvSets, &Head::uv_grids},

@@ -40,6 +40,7 @@ enum HeadCheck : uint32_t {
   kCheckPageEntry = 24,
   kCheckPageCounts = 25,
   kCheckPageLimits = 26,
+  kCheckScales = 27,
 };
 
 /// The check that failed; false when none did.
@@ -80,7 +81,7 @@ struct Head {
   const uint8_t* bytes = nullptr;
   uint32_t size = 0;  ///< head_bytes
   uint64_t file_bytes = 0;
-  Table info_record, nodes, joints, materials, parts, uv_grids, levels, pages, names;
+  Table info_record, nodes, joints, scales, materials, parts, uv_grids, levels, pages, names;
   Info info = {};
 
   uint64_t offsetOf(const uint8_t* at) const { return static_cast<uint64_t>(at - bytes); }
@@ -121,7 +122,7 @@ Refusal checkHeader(const uint8_t* bytes);
 /// Finds and checks the chunks of a complete head whose header and checksum are sound: checks 6 to 11.
 Refusal readDirectory(const uint8_t* bytes, Head* head);
 
-/// Checks what the tables say: 12 to 26, and the rest of 4. Reads head->info.
+/// Checks what the tables say: 12 to 27, and the rest of 4. Reads head->info.
 Refusal readTables(Head* head);
 
 }  // namespace lithe::runtime

@@ -95,11 +95,30 @@ Refusal checkNames(const Head& head) {
   return {};
 }
 
+Refusal checkScales(const Head& head) {
+  for (uint32_t i = 0; i < head.scales.count; ++i)
+    if (!areFinite(head.scales.record(i), 6)) return corrupt(head, kCheckScales, head.scales.record(i));
+  return {};
+}
+
+/// Three components of a unit quaternion: its square is not above one (that of an infinity or no number is not below).
+bool isPartOfUnit(const uint8_t* p) {
+  const float x = loadF32(p), y = loadF32(p + 4), z = loadF32(p + 8);
+  return x * x + y * y + z * z <= 1.0f;
+}
+
+bool isPure(const Head& head, uint32_t index) {
+  const uint8_t* shear = head.scales.record(index) + scale::kShearAt;
+  return loadF32(shear) == 0 && loadF32(shear + 4) == 0 && loadF32(shear + 8) == 0;
+}
+
 Refusal checkSceneNodes(const Head& head) {
   for (uint32_t i = 0; i < head.nodes.count; ++i) {
     const uint8_t* p = head.nodes.record(i);
-    if (loadU32(p + node::kNameAt) >= head.names.count || !isIndexOrNone(loadU32(p + node::kParentAt), i) ||
-        !areFinite(p + node::kTranslationAt, 10))
+    const uint32_t parent = loadU16(p + node::kParentAt), scale_index = formScale(loadU16(p + node::kFormAt));
+    if (loadU32(p + node::kNameAt) >= head.names.count || (parent >= i && parent != node::kNoParent) ||
+        scale_index >= head.scales.count || !isPure(head, scale_index) || !areFinite(p + node::kTranslationAt, 3) ||
+        !isPartOfUnit(p + node::kRotationAt))
       return corrupt(head, kCheckSceneNode, p);
   }
   return {};
@@ -117,8 +136,9 @@ bool jointBoxIsSound(const Head& head, const uint8_t* p) {
 Refusal checkJoints(const Head& head) {
   for (uint32_t i = 0; i < head.joints.count; ++i) {
     const uint8_t* p = head.joints.record(i);
-    if (loadU32(p + joint::kNodeAt) >= head.nodes.count || !jointBoxIsSound(head, p) ||
-        !areFinite(p + joint::kInverseBindAt, 12))
+    if (loadU16(p + joint::kNodeAt) >= head.nodes.count || !jointBoxIsSound(head, p) ||
+        formScale(loadU16(p + joint::kFormAt)) >= head.scales.count || !areFinite(p + joint::kTranslationAt, 3) ||
+        !isPartOfUnit(p + joint::kRotationAt))
       return corrupt(head, kCheckJoint, p);
   }
   return {};
@@ -267,9 +287,9 @@ Refusal checkPageLimits(const Head& head) {
 
 Refusal readTables(Head* head) {
   if (const Refusal refusal = checkInfo(head)) return refusal;
-  constexpr Refusal (*kChecks[])(const Head&) = {checkNames,     checkSceneNodes, checkJoints,      checkMaterials,
-                                                 checkParts,     checkUvGrids,    checkLevelCounts, checkLevelErrors,
-                                                 checkPageSizes, checkPageCounts, checkPageLimits};
+  constexpr Refusal (*kChecks[])(const Head&) = {checkNames,       checkScales,    checkSceneNodes, checkJoints,
+                                                 checkMaterials,   checkParts,     checkUvGrids,    checkLevelCounts,
+                                                 checkLevelErrors, checkPageSizes, checkPageCounts, checkPageLimits};
   for (const auto check : kChecks)
     if (const Refusal refusal = check(*head)) return refusal;
   return {};

@@ -32,6 +32,10 @@ void expectCorruptField(uint32_t check, uint32_t id, uint32_t record, uint32_t a
   SCOPED_TRACE("record " + std::to_string(record) + " at " + std::to_string(at));
   expectCorruptAfter(check, [&](LitheFile& f) { storeU32(f.record(id, record) + at, value); });
 }
+void expectCorruptHalf(uint32_t check, uint32_t id, uint32_t record, uint32_t at, uint32_t value) {
+  SCOPED_TRACE("record " + std::to_string(record) + " at " + std::to_string(at));
+  expectCorruptAfter(check, [&](LitheFile& f) { storeU16(f.record(id, record) + at, static_cast<uint16_t>(value)); });
+}
 void expectCorruptNumber(uint32_t check, uint32_t id, uint32_t record, uint32_t at, float value) {
   SCOPED_TRACE("record " + std::to_string(record) + " at " + std::to_string(at));
   expectCorruptAfter(check, [&](LitheFile& f) { storeF32(f.record(id, record) + at, value); });
@@ -164,9 +168,10 @@ TEST(HeadCheck, N9_ChunkPlace) {
 TEST(HeadCheck, N9_BytesBetweenChunksAreZero) {
   uint32_t gaps = 0;
   LitheFile file(richFile());
-  uint32_t end = header::kBytes + 9 * directory::kBytes;
-  for (uint32_t i = 0; i <= 9; ++i) {
-    const uint8_t* entry = i < 9 ? entryOf(file, i) : nullptr;
+  const uint32_t chunks = loadU32(file.head.data() + header::kChunkCountAt);
+  uint32_t end = header::kBytes + chunks * directory::kBytes;
+  for (uint32_t i = 0; i <= chunks; ++i) {
+    const uint8_t* entry = i < chunks ? entryOf(file, i) : nullptr;
     const uint32_t begin = entry ? loadU32(entry + directory::kOffsetAt) : static_cast<uint32_t>(file.head.size());
     for (; end < begin; ++end, ++gaps) expectCorruptAfter(9, [&](LitheFile& f) { f.head[end] = 1; });
     if (entry) end += loadU32(entry + directory::kRecordBytesAt) * loadU32(entry + directory::kRecordCountAt);
@@ -233,6 +238,7 @@ TEST(HeadCheck, N11_TooManyRecords) {
   } kLimits[] = {{info::kId, 1},
                  {node::kId, limits::kSceneNodes},
                  {joint::kId, limits::kJoints},
+                 {scale::kId, limits::kScales},
                  {material::kId, limits::kMaterials},
                  {part::kId, limits::kParts},
                  {uv_grid::kId, limits::kParts * limits::kUvSets},
@@ -333,19 +339,26 @@ TEST(HeadCheck, N17_SceneNode) {
   const uint32_t last = countOf(node::kId) - 1;
   expectCorruptField(17, node::kId, last, node::kNameAt, countOf(names::kId));
   expectCorruptField(17, node::kId, 0, node::kNameAt, 0xffffffffu);
-  expectCorruptField(17, node::kId, 0, node::kParentAt, 0);
-  expectCorruptField(17, node::kId, last, node::kParentAt, last);
-  expectCorruptField(17, node::kId, 1, node::kParentAt, last);
-  for (uint32_t i = 0; i < 10; ++i) {
+  expectCorruptHalf(17, node::kId, 0, node::kParentAt, 0);
+  expectCorruptHalf(17, node::kId, last, node::kParentAt, last);
+  expectCorruptHalf(17, node::kId, 1, node::kParentAt, last);
+  expectCorruptHalf(17, node::kId, last, node::kFormAt, countOf(scale::kId));
+  expectCorruptHalf(17, node::kId, 0, node::kFormAt, 0xffff);
+  for (uint32_t i = 0; i < 6; ++i) {
     expectCorruptNumber(17, node::kId, last, node::kTranslationAt + 4 * i, kNan);
     expectCorruptNumber(17, node::kId, last, node::kTranslationAt + 4 * i, kInfinity);
+  }
+  for (uint32_t i = 0; i < 3; ++i) {
+    expectCorruptNumber(17, node::kId, last, node::kRotationAt + 4 * i, -1.125f);
+    expectCorruptNumber(17, scale::kId, 0, scale::kShearAt + 4 * i, 0.5f);
   }
 }
 
 TEST(HeadCheck, N18_Joint) {
   const uint32_t last = countOf(joint::kId) - 1;
-  expectCorruptField(18, joint::kId, last, joint::kNodeAt, countOf(node::kId));
-  expectCorruptField(18, joint::kId, 0, joint::kNodeAt, 0xffffffffu);
+  expectCorruptHalf(18, joint::kId, last, joint::kNodeAt, countOf(node::kId));
+  expectCorruptHalf(18, joint::kId, 0, joint::kNodeAt, 0xffff);
+  expectCorruptHalf(18, joint::kId, last, joint::kFormAt, countOf(scale::kId));
   for (uint32_t c = 0; c < 3; ++c) {
     expectCorruptAfter(18, [&](LitheFile& f) {
       storeU16(f.record(joint::kId) + joint::kBoxMinAt + 2 * c, 2);
@@ -353,7 +366,11 @@ TEST(HeadCheck, N18_Joint) {
     });
     expectCorruptAfter(18, [&](LitheFile& f) { storeU16(f.record(joint::kId) + joint::kBoxMaxAt + 2 * c, 1u << 14); });
   }
-  for (uint32_t i = 0; i < 12; ++i) expectCorruptNumber(18, joint::kId, last, joint::kInverseBindAt + 4 * i, kNan);
+  for (uint32_t i = 0; i < 6; ++i) {
+    expectCorruptNumber(18, joint::kId, last, joint::kTranslationAt + 4 * i, kNan);
+    expectCorruptNumber(18, joint::kId, last, joint::kTranslationAt + 4 * i, kInfinity);
+  }
+  for (uint32_t i = 0; i < 3; ++i) expectCorruptNumber(18, joint::kId, last, joint::kRotationAt + 4 * i, 1.125f);
 }
 
 TEST(HeadCheck, N19_Material) {
@@ -484,6 +501,13 @@ TEST(HeadCheck, N26_BasePageWithTooManyWedges) {
     for (uint32_t l = 0; l < countOf(level::kId); ++l) add(f.record(level::kId, l) + level::kWedgeCountAt);
     for (uint32_t p = 0; p < countOf(page::kId); ++p) add(f.record(page::kId, p) + page::kWedgeCountAt);
   });
+}
+
+TEST(HeadCheck, N27_Scales) {
+  for (uint32_t i = 0; i < 6; ++i) {
+    expectCorruptNumber(27, scale::kId, 0, scale::kDiagonalAt + 4 * i, kNan);
+    expectCorruptNumber(27, scale::kId, 0, scale::kDiagonalAt + 4 * i, -kInfinity);
+  }
 }
 
 }  // namespace

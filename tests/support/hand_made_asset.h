@@ -215,24 +215,28 @@ class HandMade {
     for (uint32_t c = 0; c < 3; ++c) storeU32(p + info::kGridMaxAt + 4 * c, (1u << shape_.position_bits) - 1);
   }
 
+  static constexpr uint16_t kWLeftOut = 3u << format::kFormScaleBits;  // no rotation, the first scale
+
   void addSkeleton(HeadBuilder& builder) {
     using namespace format;
     for (uint32_t j = 0; j < shape_.joints; ++j) {
       const uint32_t name = builder.name("joint " + std::to_string(j));
       uint8_t* n = builder.add(node::kId, node::kBytes);
       storeU32(n + node::kNameAt, name);
-      storeU32(n + node::kParentAt, j ? j - 1 : kNoIndex);
+      storeU16(n + node::kParentAt, static_cast<uint16_t>(j ? j - 1 : node::kNoParent));
+      storeU16(n + node::kFormAt, kWLeftOut);
       storeF32(n + node::kTranslationAt, static_cast<float>(j));
-      storeF32(n + node::kRotationAt + 12, 1.0f);
-      for (uint32_t c = 0; c < 3; ++c) storeF32(n + node::kScaleAt + 4 * c, 1.0f);
       addJoint(builder, j);
     }
+    uint8_t* one = builder.add(scale::kId, scale::kBytes);
+    for (uint32_t c = 0; c < 3; ++c) storeF32(one + scale::kDiagonalAt + 4 * c, 1.0f);
   }
 
   void addJoint(HeadBuilder& builder, uint32_t j) {
     using namespace format;
     uint8_t* p = builder.add(joint::kId, joint::kBytes);
-    storeU32(p + joint::kNodeAt, j);
+    storeU16(p + joint::kNodeAt, static_cast<uint16_t>(j));
+    storeU16(p + joint::kFormAt, kWLeftOut);
     for (uint32_t c = 0; c < 3; ++c) {
       int32_t least = 65535, greatest = 0;
       for (const HandNode& n : nodes)
@@ -243,7 +247,6 @@ class HandMade {
           }
       storeU16(p + joint::kBoxMinAt + 2 * c, static_cast<uint16_t>(least));
       storeU16(p + joint::kBoxMaxAt + 2 * c, static_cast<uint16_t>(greatest));
-      storeF32(p + joint::kInverseBindAt + 20 * c, 1.0f);
     }
   }
 

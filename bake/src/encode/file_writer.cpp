@@ -10,6 +10,7 @@
 #include "lithe/format/bytes.h"
 #include "lithe/format/file.h"
 #include "lithe/format/page.h"
+#include "skeleton_code.h"
 
 namespace lithe::bake {
 namespace {
@@ -84,16 +85,19 @@ Chunk infoChunk(const EncodeInput& in, const std::vector<LevelEntry>& levels) {
   return c;
 }
 
-Chunk nodeChunk(const Model& model, NamePool& pool) {
+void storeForm(uint8_t* form_at, uint8_t* rotation_at, const StoredRotation& rotation, uint32_t scale_index) {
+  storeU16(form_at, static_cast<uint16_t>(scale_index | rotation.left_out << kFormScaleBits));
+  storeVector(rotation_at, rotation.kept);
+}
+
+Chunk nodeChunk(const Model& model, NamePool& pool, ScalePool& scales) {
   Chunk c = chunk(node::kId, node::kBytes);
   for (const Node& n : model.nodes) {
     uint8_t* p = c.add();
     storeU32(p + node::kNameAt, pool.add(n.name));
-    storeU32(p + node::kParentAt, n.parent);
+    storeU16(p + node::kParentAt, static_cast<uint16_t>(n.parent == kNone ? node::kNoParent : n.parent));
     storeVector(p + node::kTranslationAt, n.rest.translation);
-    storeVector(p + node::kRotationAt,
-                glm::dvec4(n.rest.rotation.x, n.rest.rotation.y, n.rest.rotation.z, n.rest.rotation.w));
-    storeVector(p + node::kScaleAt, n.rest.scale);
+    storeForm(p + node::kFormAt, p + node::kRotationAt, storedRotation(n.rest.rotation), scales.add(n.rest.scale));
   }
   return c;
 }
@@ -112,20 +116,29 @@ std::vector<std::array<glm::ivec3, 2>> jointBoxes(const EncodeInput& in) {
   return boxes;
 }
 
-Chunk jointChunk(const EncodeInput& in) {
+Chunk jointChunk(const EncodeInput& in, ScalePool& scales) {
   Chunk c = chunk(joint::kId, joint::kBytes);
   const auto boxes = jointBoxes(in);
   for (size_t j = 0; j < in.model.joints.size(); ++j) {
     uint8_t* p = c.add();
-    storeU32(p + joint::kNodeAt, in.model.joints[j].node);
+    storeU16(p + joint::kNodeAt, static_cast<uint16_t>(in.model.joints[j].node));
     for (int i = 0; i < 3; ++i) {
       storeU16(p + joint::kBoxMinAt + 2 * i, static_cast<uint16_t>(boxes[j][0][i]));
       storeU16(p + joint::kBoxMaxAt + 2 * i, static_cast<uint16_t>(boxes[j][1][i]));
     }
-    for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 4; ++column)
-        storeF32(p + joint::kInverseBindAt + 4 * (4 * row + column),
-                 static_cast<float>(in.model.joints[j].inverse_bind[column][row]));
+    const glm::dmat4& inverse_bind = in.model.joints[j].inverse_bind;
+    const RotationAndScale linear = rotationAndScale(glm::dmat3(inverse_bind));
+    storeVector(p + joint::kTranslationAt, glm::dvec3(inverse_bind[3]));
+    storeForm(p + joint::kFormAt, p + joint::kRotationAt, storedRotation(linear.rotation), scales.add(linear.scale));
+  }
+  return c;
+}
+
+Chunk scaleChunk(const ScalePool& scales) {
+  Chunk c = chunk(scale::kId, scale::kBytes);
+  for (const StoredScale& s : scales.all()) {
+    uint8_t* p = c.add();
+    for (uint32_t i = 0; i < 6; ++i) storeF32(p + 4 * i, s[i]);
   }
   return c;
 }
@@ -243,9 +256,14 @@ std::vector<uint8_t> writeFile(const EncodeInput& in, const std::vector<LevelEnt
   checkLimits(in, levels, pages);
   NamePool pool;
   pool.add("");
-  std::vector<Chunk> chunks = {
-      infoChunk(in, levels),     nodeChunk(in.model, pool), jointChunk(in),     materialChunk(in.model, pool),
-      partChunk(in.model, pool), uvGridChunk(in.mesh),      levelChunk(levels), pageChunk(pages)};
+  ScalePool scales;
+  std::vector<Chunk> chunks = {infoChunk(in, levels), nodeChunk(in.model, pool, scales), jointChunk(in, scales)};
+  chunks.push_back(scaleChunk(scales));
+  chunks.push_back(materialChunk(in.model, pool));
+  chunks.push_back(partChunk(in.model, pool));
+  chunks.push_back(uvGridChunk(in.mesh));
+  chunks.push_back(levelChunk(levels));
+  chunks.push_back(pageChunk(pages));
   chunks.push_back(pool.chunk());
   uint64_t page_bytes = 0;
   for (const PageEntry& entry : pages) page_bytes += entry.bytes.size();

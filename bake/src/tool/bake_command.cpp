@@ -122,7 +122,8 @@ void addChoices(CLI::App& command, BakeArguments& arguments) {
   command.add_option("--clips", options.poses.clips, "Take poses from these clips only: NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_flag("!--no-refit", options.refit, "Leave the levels' vertices where their collapses put them");
+  command.add_flag_callback(
+      "--no-refit", [&options] { options.refit = false; }, "Leave the levels' vertices where their collapses put them");
   command.add_option("--pose-file", arguments.pose_file, "Take exactly the poses of this JSON file");
   command.add_option("--max-influences", options.max_influences, "Joints per vertex, at every level")
       ->check(CLI::Range(1u, 8u))

@@ -133,19 +133,25 @@ TEST(FileSpecification, SceneNode) {
   expectRecord(spec().table("NODE"),
                {{"name", node::kNameAt},
                 {"parent", node::kParentAt},
+                {"form", node::kFormAt},
                 {"translation", node::kTranslationAt},
-                {"rotation", node::kRotationAt},
-                {"scale", node::kScaleAt}},
+                {"rotation", node::kRotationAt}},
                node::kBytes);
 }
 
 TEST(FileSpecification, Joint) {
   expectRecord(spec().table("JOIN"),
                {{"node", joint::kNodeAt},
+                {"form", joint::kFormAt},
                 {"box_min", joint::kBoxMinAt},
                 {"box_max", joint::kBoxMaxAt},
-                {"inverse_bind", joint::kInverseBindAt}},
+                {"translation", joint::kTranslationAt},
+                {"rotation", joint::kRotationAt}},
                joint::kBytes);
+}
+
+TEST(FileSpecification, Scale) {
+  expectRecord(spec().table("SCAL"), {{"diagonal", scale::kDiagonalAt}, {"shear", scale::kShearAt}}, scale::kBytes);
 }
 
 TEST(FileSpecification, MaterialPartAndUvGrid) {
@@ -197,6 +203,7 @@ TEST(FileSpecification, RecordSizesAndLimitsOfTheHeadings) {
       {"INFO", "INFO", {info::kBytes}},
       {"NODE", "NODE", {node::kBytes, limits::kSceneNodes}},
       {"JOIN", "JOIN", {joint::kBytes, limits::kJoints}},
+      {"SCAL", "SCAL", {scale::kBytes, limits::kScales}},
       {"MATL", "MATL", {material::kBytes, limits::kMaterials}},
       {"MATL", "PART", {part::kBytes, 1, limits::kParts}},
       {"MATL", "UVGR", {uv_grid::kBytes}},
@@ -237,9 +244,9 @@ TEST(FileSpecification, LimitsOfTheFields) {
 
 TEST(FileSpecification, ChunkIdsAreTheirLettersLowestFirst) {
   EXPECT_EQ(info::kId, 0x4f464e49u);
-  const uint32_t ids[] = {info::kId,    node::kId,  joint::kId, material::kId, part::kId,
-                          uv_grid::kId, level::kId, page::kId,  names::kId};
-  const char* letters[] = {"INFO", "NODE", "JOIN", "MATL", "PART", "UVGR", "LEVL", "PAGE", "NAME"};
+  const uint32_t ids[] = {info::kId, node::kId,    joint::kId, scale::kId, material::kId,
+                          part::kId, uv_grid::kId, level::kId, page::kId,  names::kId};
+  const char* letters[] = {"INFO", "NODE", "JOIN", "SCAL", "MATL", "PART", "UVGR", "LEVL", "PAGE", "NAME"};
   for (size_t i = 0; i < std::size(ids); ++i) {
     const char* l = letters[i];
     EXPECT_EQ(ids[i], chunkId(l[0], l[1], l[2], l[3])) << l;

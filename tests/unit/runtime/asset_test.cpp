@@ -76,8 +76,8 @@ TEST(Open, TakesUnknownOptionalChunksAndLargerRecords) {
   builder.declare(format::chunkId('W', 'H', 'A', 'T'), 24, format::directory::kOptional);
   builder.add(format::chunkId('W', 'H', 'A', 'T'), 24);
   for (const uint32_t id :
-       {format::info::kId, format::node::kId, format::joint::kId, format::material::kId, format::part::kId,
-        format::uv_grid::kId, format::level::kId, format::page::kId, format::names::kId}) {
+       {format::info::kId, format::node::kId, format::joint::kId, format::scale::kId, format::material::kId,
+        format::part::kId, format::uv_grid::kId, format::level::kId, format::page::kId, format::names::kId}) {
     const ChunkPlace place = findChunk(hand.head, id);
     const uint32_t longer = place.record_bytes + (id == format::names::kId ? 0 : 8);
     for (uint32_t i = 0; i < place.record_count; ++i) {

@@ -21,6 +21,7 @@ inline constexpr uint32_t kHeadBytes = 16u << 20;
 inline constexpr uint32_t kChunks = 64;
 inline constexpr uint32_t kSceneNodes = 65535;
 inline constexpr uint32_t kJoints = 65535;
+inline constexpr uint32_t kScales = 1u << 14;  ///< different ones, of nodes and joints together
 inline constexpr uint32_t kParts = 4096;
 inline constexpr uint32_t kMaterials = 4096;
 inline constexpr uint32_t kLevels = 64;
@@ -94,26 +95,43 @@ inline constexpr uint32_t kBytes = 72;
 inline constexpr uint32_t kHasNormals = 1, kHasTangents = 2;
 }  // namespace info
 
+/// The form of a node or joint: bits 0..13 its index into SCAL, bits 14..15 the component that its rotation leaves out.
+inline constexpr uint32_t kFormScaleBits = 14;
+inline constexpr uint32_t formScale(uint32_t form) { return form & ((1u << kFormScaleBits) - 1); }
+inline constexpr uint32_t formLeftOut(uint32_t form) { return form >> kFormScaleBits; }
+
 /// NODE: the scene graph, parents before children.
 namespace node {
 inline constexpr uint32_t kId = chunkId('N', 'O', 'D', 'E');
 inline constexpr uint32_t kNameAt = 0;         // u32: offset in NAME
-inline constexpr uint32_t kParentAt = 4;       // u32, kNoIndex for a root, else smaller than the node's own index
+inline constexpr uint32_t kParentAt = 4;       // u16, kNoParent for a root, else smaller than the node's own index
+inline constexpr uint32_t kFormAt = 6;         // u16: scale and left-out component
 inline constexpr uint32_t kTranslationAt = 8;  // f32 x 3
-inline constexpr uint32_t kRotationAt = 20;    // f32 x 4, quaternion x y z w
-inline constexpr uint32_t kScaleAt = 36;       // f32 x 3
-inline constexpr uint32_t kBytes = 48;
+inline constexpr uint32_t kRotationAt = 20;    // f32 x 3: the quaternion's components but the one left out
+inline constexpr uint32_t kBytes = 32;
+inline constexpr uint32_t kNoParent = 0xffff;
 }  // namespace node
 
 /// JOIN: the palette.
 namespace joint {
 inline constexpr uint32_t kId = chunkId('J', 'O', 'I', 'N');
-inline constexpr uint32_t kNodeAt = 0;          // u32, index into NODE
-inline constexpr uint32_t kBoxMinAt = 4;        // u16 x 3: grid box of every node it influences, at any level
-inline constexpr uint32_t kBoxMaxAt = 10;       // u16 x 3; an unused joint has min 65535 and max 0
-inline constexpr uint32_t kInverseBindAt = 16;  // f32 x 12, 3 rows of 4
-inline constexpr uint32_t kBytes = 64;
+inline constexpr uint32_t kNodeAt = 0;     // u16, index into NODE
+inline constexpr uint32_t kFormAt = 2;     // u16: scale and left-out component
+inline constexpr uint32_t kBoxMinAt = 4;   // u16 x 3: grid box of every node it influences, at any level
+inline constexpr uint32_t kBoxMaxAt = 10;  // u16 x 3; an unused joint has min 65535 and max 0
+// Inverse bind matrix: rotation times scale, then the translation.
+inline constexpr uint32_t kTranslationAt = 16;  // f32 x 3
+inline constexpr uint32_t kRotationAt = 28;     // f32 x 3
+inline constexpr uint32_t kBytes = 40;
 }  // namespace joint
+
+/// SCAL: the scales that nodes and joints share; what a rotation leaves of a matrix, upper triangular.
+namespace scale {
+inline constexpr uint32_t kId = chunkId('S', 'C', 'A', 'L');
+inline constexpr uint32_t kDiagonalAt = 0;  // f32 x 3: xx, yy, zz
+inline constexpr uint32_t kShearAt = 12;    // f32 x 3: xy, xz, yz; zero where a node uses it
+inline constexpr uint32_t kBytes = 24;
+}  // namespace scale
 
 /// MATL: materials' names.
 namespace material {

@@ -98,9 +98,9 @@ TEST_F(FileWriter, ChecksumIsThatOfTheHeadWithoutIt) {
 }
 
 TEST_F(FileWriter, ChunksLieInOrderAlignedWithZerosBetweenThem) {
-  EXPECT_EQ(chunks_.size(), 9u);
-  size_t end = format::header::kBytes + 9 * format::directory::kBytes;
-  for (uint32_t i = 0; i < 9; ++i) {
+  EXPECT_EQ(chunks_.size(), 10u);
+  size_t end = format::header::kBytes + 10 * format::directory::kBytes;
+  for (uint32_t i = 0; i < 10; ++i) {
     const uint8_t* entry = file_.data() + format::header::kBytes + i * format::directory::kBytes;
     const uint32_t offset = loadU32(entry + format::directory::kOffsetAt);
     EXPECT_EQ(loadU32(entry + format::directory::kFlagsAt), 0u);
@@ -146,12 +146,17 @@ TEST_F(FileWriter, SceneNodesAndTheirNames) {
   const uint8_t *hips = record(format::node::kId, 0), *child = record(format::node::kId, 1);
   EXPECT_EQ(name(loadU32(hips + format::node::kNameAt)), "hips");
   EXPECT_EQ(name(loadU32(child + format::node::kNameAt)), "");
-  EXPECT_EQ(loadU32(hips + format::node::kParentAt), format::kNoIndex);
-  EXPECT_EQ(loadU32(child + format::node::kParentAt), 0u);
+  EXPECT_EQ(loadU16(hips + format::node::kParentAt), format::node::kNoParent);
+  EXPECT_EQ(loadU16(child + format::node::kParentAt), 0u);
   EXPECT_EQ(loadF32(child + format::node::kTranslationAt + 8), 3.0f);
-  const float x_y_z_w[] = {-0.5f, 0.5f, -0.5f, 0.5f};
-  for (uint32_t i = 0; i < 4; ++i) EXPECT_EQ(loadF32(child + format::node::kRotationAt + 4 * i), x_y_z_w[i]) << i;
-  EXPECT_EQ(loadF32(child + format::node::kScaleAt), 2.0f);
+  const uint32_t form = loadU16(child + format::node::kFormAt);
+  EXPECT_EQ(format::formLeftOut(form), 3u);
+  const float x_y_z[] = {-0.5f, 0.5f, -0.5f};
+  for (uint32_t i = 0; i < 3; ++i) EXPECT_EQ(loadF32(child + format::node::kRotationAt + 4 * i), x_y_z[i]) << i;
+  EXPECT_EQ(records(format::scale::kId), 2u);
+  const float twice[] = {2, 2, 2, 0, 0, 0};
+  for (uint32_t i = 0; i < 6; ++i)
+    EXPECT_EQ(loadF32(record(format::scale::kId, format::formScale(form)) + 4 * i), twice[i]) << i;
 }
 
 TEST_F(FileWriter, JointsHaveTheBoxOfWhatTheyInfluence) {
@@ -159,13 +164,15 @@ TEST_F(FileWriter, JointsHaveTheBoxOfWhatTheyInfluence) {
   const uint16_t boxes[3][6] = {{0, 0, 0, 8, 8, 8}, {65535, 65535, 65535, 0, 0, 0}, {0, 0, 8, 0, 0, 8}};
   for (uint32_t j = 0; j < 3; ++j) {
     const uint8_t* p = record(format::joint::kId, j);
-    EXPECT_EQ(loadU32(p + format::joint::kNodeAt), model_.joints[j].node);
+    EXPECT_EQ(loadU16(p + format::joint::kNodeAt), model_.joints[j].node);
     for (uint32_t i = 0; i < 6; ++i) EXPECT_EQ(loadU16(p + format::joint::kBoxMinAt + 2 * i), boxes[j][i]) << j << i;
   }
-  // Rows: the translation stands in the fourth column.
-  const float rows[12] = {1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9};
-  for (uint32_t i = 0; i < 12; ++i)
-    EXPECT_EQ(loadF32(record(format::joint::kId, 2) + format::joint::kInverseBindAt + 4 * i), rows[i]);
+  const uint8_t* shifted = record(format::joint::kId, 2);
+  for (uint32_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(loadF32(shifted + format::joint::kTranslationAt + 4 * i), 7.0f + static_cast<float>(i));
+    EXPECT_EQ(loadF32(shifted + format::joint::kRotationAt + 4 * i), 0.0f);
+  }
+  EXPECT_EQ(loadU16(shifted + format::joint::kFormAt), loadU16(record(format::node::kId, 0) + format::node::kFormAt));
 }
 
 TEST_F(FileWriter, MaterialsPartsAndUvGrids) {
