@@ -59,6 +59,26 @@ inline bake::Model closedTube(uint32_t around, uint32_t rings) {
   return model;
 }
 
+/// The tube of shapes.h with small triangles of two further parts around it: they vanish, and their nodes are folded.
+inline bake::Model tubeWithFlakes(uint32_t around, uint32_t rings) {
+  bake::Model model = bake::test::tube(around, rings);
+  model.parts.insert(model.parts.end(), {{"flakes", 0, bake::kNone, 0, 0}, {"more flakes", 0, bake::kNone, 0, 0}});
+  const auto vertices = static_cast<uint32_t>(model.positions.size());
+  for (uint32_t flake = 0; flake < 60; ++flake) {
+    const uint32_t below = flake * 7 % vertices, first = static_cast<uint32_t>(model.positions.size());
+    for (uint32_t k = 0; k < 3; ++k) {
+      const glm::vec3 aside(k == 1 ? 0.03f : 0.0f, k == 2 ? 0.03f : 0.0f, 0.01f * static_cast<float>(flake % 3));
+      model.positions.push_back(1.1f * model.positions[below] + aside);
+      model.normals.push_back(model.normals[below]);
+      model.uvs[0].push_back(model.uvs[0][below]);
+      model.skins.push_back(model.skins[below]);
+    }
+    model.triangles.push_back({first, first + 1, first + 2});
+    model.triangle_part.push_back(1 + flake % 2);
+  }
+  return model;
+}
+
 inline PropertyCharacter bakedFile(const bake::Model& model, bool closed) {
   bake::BakeOptions options;
   options.poses.count = 4;
@@ -103,7 +123,8 @@ inline const PropertyCharacter& propertyCharacter(const std::string& name) {
                            505, 30);
        }},
       {"baked_tube", [] { return bakedFile(closedTube(16, 40), true); }},
-      {"baked_open_tube", [] { return bakedFile(bake::test::tube(16, 30), false); }}};
+      {"baked_open_tube", [] { return bakedFile(bake::test::tube(16, 30), false); }},
+      {"baked_flakes", [] { return bakedFile(tubeWithFlakes(16, 30), false); }}};
   static std::map<std::string, PropertyCharacter> made;
   const auto at = made.find(name);
   return at != made.end() ? at->second : made.emplace(name, makers.at(name)()).first->second;
@@ -111,7 +132,8 @@ inline const PropertyCharacter& propertyCharacter(const std::string& name) {
 
 inline const std::vector<std::string>& propertyCharacterNames() {
   static const std::vector<std::string> names = {
-      "torus", "torus_small_pages", "patch", "seams_parts_everything", "non_manifold", "baked_tube", "baked_open_tube"};
+      "torus",        "torus_small_pages", "patch",           "seams_parts_everything",
+      "non_manifold", "baked_tube",        "baked_open_tube", "baked_flakes"};
   return names;
 }
 

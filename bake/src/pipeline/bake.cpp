@@ -94,9 +94,9 @@ class Pipeline {
     const double least =
         options_.levels.empty() ? 1.0 : *std::min_element(options_.levels.begin(), options_.levels.end());
     simplify.min_triangles = static_cast<uint32_t>(std::max(1.0, std::round(least * mesh_.triangleCount())));
-    if (options_.refit)
-      for (double share : options_.levels)
-        simplify.refit_at.push_back(static_cast<uint32_t>(std::max(1.0, std::round(share * mesh_.triangleCount()))));
+    simplify.refit = options_.refit;
+    for (double share : options_.levels)
+      simplify.levels.push_back(static_cast<uint32_t>(std::max(1.0, std::round(share * mesh_.triangleCount()))));
     simplify.progress = progressOf("simplify");
     return simplify;
   }

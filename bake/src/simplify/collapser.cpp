@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "fold.h"
+
 namespace lithe::bake {
 
 namespace {
@@ -47,7 +49,8 @@ void inParallel(uint32_t count, uint32_t threads, const Job& job) {
 
 Collapser::Collapser(const Mesh& mesh, const std::vector<std::vector<glm::dmat4>>& palettes,
                      const SimplifyOptions& options)
-    : options_(options),
+    : mesh_(mesh),
+      options_(options),
       nodes_(nodeState(mesh, palettes, options)),
       surface_(classifiedSurface(mesh, nodes_.posed)),
       components_(surface_, nodes_.posed),
@@ -63,10 +66,10 @@ Collapser::Collapser(const Mesh& mesh, const std::vector<std::vector<glm::dmat4>
       vertex_count_(mesh.vertexCount()),
       next_node_(mesh.vertexCount()),
       first_triangles_(surface_.triangleCount()) {
-  if (!options_.refit_at.empty() && metric_->allowsRefit())
-    refit_ = std::make_unique<Refit>(nodes_, surface_, options_);
+  if (options_.refit && metric_->allowsRefit()) refit_ = std::make_unique<Refit>(nodes_, surface_, options_);
   node_of_.resize(mesh.vertexCount());
   for (uint32_t slot = 0; slot < mesh.vertexCount(); ++slot) node_of_[slot] = slot;
+  for (uint32_t slot = 0; slot < mesh.vertexCount(); ++slot) noteFaceless(slot);
 }
 
 void Collapser::placeAllEdges() {
@@ -120,6 +123,10 @@ bool Collapser::collapseNext(Collapse& collapse) {
       continue;
     }
     const auto [a, b] = edges_.ends[edge];
+    if (options_.min_triangles > 0 && surface_.wouldVanish(a, b)) {
+      dropEdge(edge);
+      continue;
+    }
     Placement placement = placement_[edge];
     QuantizedSkin skin = placer_.skinBetween(a, b, placement.t8);
     metric_->improveSkin(a, b, placer_, placement, skin);
@@ -212,8 +219,19 @@ void Collapser::moveNode(uint32_t a, uint32_t b, const Placement& placement, con
   surface_.collapse(a, b, thirds_);
   joinEdges(a, b);
   cutLooseEdges(a);
+  noteFaceless(a);
+  for (uint32_t third : thirds_) noteFaceless(third);
   surface_.classifyAround(a, nodes_.posed);
   refreshAround(a);
+}
+
+void Collapser::noteFaceless(uint32_t slot) {
+  if (surface_.facesAt(slot).empty()) faceless_.push_back(slot);
+}
+
+void Collapser::endLevel(std::vector<Collapse>& collapses) {
+  refit(collapses);
+  foldFaceless(collapses);
 }
 
 void Collapser::refit(std::vector<Collapse>& collapses) {
@@ -227,6 +245,26 @@ void Collapser::refit(std::vector<Collapse>& collapses) {
   for (uint32_t slot : moved) surface_.classifyAround(slot, nodes_.posed);
   for (uint32_t slot : moved) refreshAround(slot);
   judged_ = kNone;
+}
+
+/// The host stays what it is: neither its metric nor the refit need know.
+void Collapser::foldFaceless(std::vector<Collapse>& collapses) {
+  if (surface_.triangleCount() == 0) return;
+  std::sort(faceless_.begin(), faceless_.end());
+  faceless_.erase(std::unique(faceless_.begin(), faceless_.end()), faceless_.end());
+  const std::vector<uint32_t> hosts = nearestHosts(faceless_, mesh_, nodes_, surface_);
+  for (size_t i = 0; i < faceless_.size(); ++i) {
+    Collapse fold;
+    fold.child[0] = node_of_[hosts[i]];
+    fold.child[1] = node_of_[faceless_[i]];
+    fold.position = nodes_.positions[hosts[i]];
+    fold.skin = nodes_.skins[hosts[i]];
+    fold.t8 = 0;
+    fold.triangles = surface_.triangleCount();
+    collapses.push_back(fold);
+    node_of_[hosts[i]] = next_node_++;
+  }
+  faceless_.clear();
 }
 
 /// b's edges become a's; of two edges to one node the cheaper stays.

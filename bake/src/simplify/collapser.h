@@ -25,8 +25,9 @@ class Collapser {
   /// Does the cheapest collapse; false when no edge is left.
   bool collapseNext(Collapse& collapse);
 
-  /// Moves the nodes made since the last refit closer to the original, here and in the collapses so far.
-  void refit(std::vector<Collapse>& collapses);
+  /// What is done where a level ends: nodes made since the last one move closer to the original, here and in the
+  /// collapses so far, and nodes without triangles are folded into others, by collapses of their own.
+  void endLevel(std::vector<Collapse>& collapses);
 
   uint32_t triangleCount() const { return surface_.triangleCount(); }
 
@@ -54,8 +55,12 @@ class Collapser {
   void joinEdges(uint32_t a, uint32_t b);
   void cutLooseEdges(uint32_t a);
   void refreshAround(uint32_t a);
+  void noteFaceless(uint32_t slot);
+  void refit(std::vector<Collapse>& collapses);
+  void foldFaceless(std::vector<Collapse>& collapses);
   void dropEdge(uint32_t edge);
 
+  const Mesh& mesh_;
   SimplifyOptions options_;
   NodeState nodes_;
   Surface surface_;
@@ -75,8 +80,9 @@ class Collapser {
   uint32_t vertex_count_, next_node_;
   uint32_t judged_ = kNone;  // the edge that placer_ holds the answer for
   uint32_t first_triangles_;
-  bool coarse_ = false;   // below options.vanish_coarse
-  bool relaxed_ = false;  // nothing was left to do without turning a triangle over
+  bool coarse_ = false;             // below options.vanish_coarse
+  bool relaxed_ = false;            // nothing was left to do without turning a triangle over
+  std::vector<uint32_t> faceless_;  // slots without triangles that have not been folded into others
   std::vector<uint32_t> thirds_, scratch_;
   std::vector<FanFace> fan_;
 };

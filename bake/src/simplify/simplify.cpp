@@ -13,23 +13,22 @@ CollapseSequence simplify(const Mesh& mesh, const std::vector<Joint>& joints, co
   Collapser collapser(mesh, palettesOf(options.metric, joints, poses), options);
   collapser.placeAllEdges();
   const uint32_t from = collapser.triangleCount();
-  std::vector<uint32_t> refit_at = options.refit_at;
-  std::sort(refit_at.begin(), refit_at.end());
+  std::vector<uint32_t> levels = options.levels;
+  std::sort(levels.begin(), levels.end());
   CollapseSequence sequence;
   while (collapser.triangleCount() > options.min_triangles) {
     Collapse collapse;
     if (!collapser.collapseNext(collapse)) break;
-    // The last collapse of a closed surface takes two triangles at once.
-    if (collapse.triangles == 0 && options.min_triangles > 0) break;
     sequence.collapses.push_back(collapse);
-    if (!refit_at.empty() && collapse.triangles <= refit_at.back()) {
-      collapser.refit(sequence.collapses);
-      while (!refit_at.empty() && collapse.triangles <= refit_at.back()) refit_at.pop_back();
+    if (!levels.empty() && collapse.triangles <= levels.back()) {
+      collapser.endLevel(sequence.collapses);
+      while (!levels.empty() && collapse.triangles <= levels.back()) levels.pop_back();
     }
     if (options.progress && sequence.collapses.size() % 1024 == 0) {
       options.progress(double(from - collapse.triangles) / (from - options.min_triangles));
     }
   }
+  collapser.endLevel(sequence.collapses);
   if (options.progress) options.progress(1.0);
   return sequence;
 }

@@ -89,6 +89,12 @@ bool Surface::wouldOrphan(uint32_t a, uint32_t b) const {
   return facesAt(a).size() == shared && facesAt(b).size() == shared;
 }
 
+bool Surface::wouldVanish(uint32_t a, uint32_t b) const {
+  const std::span<const uint32_t> ids = facesAt(a);
+  return ids.size() == triangle_count_ &&
+         std::all_of(ids.begin(), ids.end(), [&](uint32_t id) { return faces_[id].has(b); });
+}
+
 uint32_t Surface::valenceAfter(uint32_t a, uint32_t b) const {
   const std::span<const uint32_t> ids = facesAt(a);
   const auto shared = std::count_if(ids.begin(), ids.end(), [&](uint32_t id) { return faces_[id].has(b); });

@@ -53,6 +53,9 @@ class Surface {
   /// Whether the collapse of a and b would leave a vertex, or the new one, without triangles.
   bool wouldOrphan(uint32_t a, uint32_t b) const;
 
+  /// Whether the collapse of a and b would leave no triangle at all.
+  bool wouldVanish(uint32_t a, uint32_t b) const;
+
   /// How many triangles the new vertex of a and b would have.
   uint32_t valenceAfter(uint32_t a, uint32_t b) const;
 

@@ -9,7 +9,8 @@
 
 namespace lithe::bake {
 
-/// How many collapses bring the mesh to at most `triangles` triangles; all of them if none does.
+/// How many collapses bring the mesh to at most `triangles` triangles, with the folds that follow the last of them; all
+/// of them if none does.
 uint32_t collapsesToReach(const CollapseSequence& sequence, const Mesh& mesh, uint32_t triangles);
 
 /// The mesh after collapsesToReach() collapses, dequantised; skeleton, parts, materials and clips are the original's.

@@ -21,8 +21,8 @@ struct SimplifyOptions {
   std::string metric = "articulated";
   uint32_t placement_shift = 4;  ///< of format::latticeStep: how finely parents are placed; 31 = every grid point
   uint32_t threads = 0;          ///< 0 = as many as the machine has; the result does not depend on it
-  /// Stop here. It is always reached, but for the last two triangles of a closed surface, which go together: unless 0
-  /// is asked for they stay.
+  /// Stop here. It is always reached, but for what can only vanish as a whole (the last two triangles of a closed
+  /// surface): unless 0 is asked for, something stays.
   uint32_t min_triangles = 0;
 
   double boundary_weight = 1.0;  ///< of border edges, in units of half the edge length squared
@@ -37,9 +37,12 @@ struct SimplifyOptions {
   /// more than this share.
   double weight_gain = 0.1;
 
-  /// Triangle counts at which the nodes made since the last one are moved to where the posed surface lies closest to
-  /// the original's: those of the levels. Only the metric `articulated` does so.
-  std::vector<uint32_t> refit_at;
+  /// Triangle counts of the levels, in any order; the end of the sequence is one beside them. Where a level ends, nodes
+  /// without triangles are folded into others, and the nodes made since the last level are refit.
+  std::vector<uint32_t> levels;
+  /// Refit: move nodes to where the posed surface lies closest to the original's. Only the metric `articulated` does
+  /// so.
+  bool refit = true;
 
   std::function<void(double)> progress;  ///< called now and then with 0..1, from the calling thread; may be empty
 };
@@ -55,8 +58,9 @@ const std::vector<std::string>& metricNames();
 /// lies in
 ///         the grid; every skin has at most mesh.max_influences influences and sums to mesh.weight_one. `triangles`
 ///         counts triangles with the same three nodes in the same orientation once, whatever their wedges and parts.
-///         Collapses are also counted where no triangle is left between two nodes' components: those stay apart for
-///         good.
+///         Nodes that have lost all their triangles are folded into others where a level ends: such a collapse changes
+///         no triangle, and its parent is child[0] again. So every node of a level has triangles, unless none is left
+///         at all.
 /// @throws Error for an unknown metric (listing the names), no poses, or a palette of another size
 /// Deterministic: the same input gives the same result on any number of threads. Uses its own threads; no global state.
 CollapseSequence simplify(const Mesh& mesh, const std::vector<Joint>& joints, const std::vector<Pose>& poses,
