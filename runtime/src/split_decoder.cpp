@@ -334,7 +334,8 @@ bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, format::Int2 p
   const int64_t exact_y = int64_t{residual(high, static_cast<int32_t>(shift))} + predicted.y;
   if (exact_x < -2 * size || exact_x > 2 * size || exact_y < -2 * size || exact_y > 2 * size) return false;
   const format::Int2 d{static_cast<int32_t>(exact_x), static_cast<int32_t>(exact_y)};
-  const format::Int2 x{parent[0] - format::eighths(d.x, t8), parent[1] - format::eighths(d.y, t8)};
+  const int32_t eighths = format::directionEighths(d, t8, face_count_ > 0, center);
+  const format::Int2 x{parent[0] - format::eighths(d.x, eighths), parent[1] - format::eighths(d.y, eighths)};
   const format::Int2 at_b = format::octahedralFold(x, center);
   const format::Int2 at_a = format::octahedralFold({x.x + d.x, x.y + d.y}, center);
   const format::Int2 points[2] = {at_a, at_b};

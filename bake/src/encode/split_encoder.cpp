@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "lithe/bake/octahedral_difference.h"
 #include "lithe/format/placement.h"
 
 namespace lithe::bake {
@@ -273,9 +272,10 @@ void SplitEncoder::writeWedges(uint32_t node, const Plan& plan, const format::Fa
   cut_.addNode(plan.b, wedges_b);
 }
 
-format::Int2 SplitEncoder::directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, int32_t t8) const {
+format::Int2 SplitEncoder::directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b,
+                                               const Plan& plan) const {
   auto point = [&](uint32_t wedge) { return format::Int2{attributes(wedge)[at], attributes(wedge)[at + 1]}; };
-  const auto d = octahedralDifference(point(parent), point(b), point(a), t8, settings_.normal_center);
+  const auto d = octahedralDifference(point(parent), point(b), point(a), plan.directionRule(settings_.normal_center));
   if (!d) throw Error("a direction cannot be recovered from its parent: this is a fault of lithe, please report it");
   return *d;
 }
@@ -329,14 +329,14 @@ void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& 
     };
     if (record.normal != kNone) {
       Residual residual =
-          pair(Residual::Kind::kNormal, 0, record.normal, directionDifference(record.normal, parent, a, b, plan.t8));
+          pair(Residual::Kind::kNormal, 0, record.normal, directionDifference(record.normal, parent, a, b, plan));
       const format::Int2 apart = predicted ? normalDifference(wedge, plan, fan) : format::Int2{0, 0};
       residual.geometry = {apart.x, apart.y, 0};
       residuals_.add(residual);
     }
     if (record.tangent != kNone) {
-      residuals_.add(pair(Residual::Kind::kTangent, 0, record.tangent,
-                          directionDifference(record.tangent, parent, a, b, plan.t8)));
+      residuals_.add(
+          pair(Residual::Kind::kTangent, 0, record.tangent, directionDifference(record.tangent, parent, a, b, plan)));
       const uint32_t sign = record.tangent + 2;
       page_.streams[format::kTangents].attributes[1].values.push_back(
           (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));

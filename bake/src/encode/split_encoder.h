@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cut.h"
+#include "lithe/bake/octahedral_difference.h"
 #include "lithe/format/octahedral.h"
 #include "page_streams.h"
 #include "residuals.h"
@@ -47,6 +48,8 @@ class SplitEncoder {
     int32_t mode;
     std::vector<char> at_b;      ///< per fan corner
     std::vector<NewFace> faces;  ///< in the order of the file
+
+    DirectionRule directionRule(int32_t normal_center) const { return {normal_center, t8, !faces.empty()}; }
   };
 
   Plan planSplit(uint32_t hierarchy_node, const format::Fan& fan, const format::Ring& ring) const;
@@ -59,7 +62,7 @@ class SplitEncoder {
   void writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan, const format::Fan& fan);
   void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
                        const Plan& plan, const format::Fan& fan);
-  format::Int2 directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, int32_t t8) const;
+  format::Int2 directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan) const;
   bool isPredicted(uint32_t node, const format::Fan& fan) const;
   uint32_t cornerWedge(uint32_t corner) const { return cut_.face_wedges[corner / 3][corner % 3]; }
   format::RingNeighbours ringOf(uint32_t node, uint32_t wedge, const Plan& plan, const format::Fan& fan) const;

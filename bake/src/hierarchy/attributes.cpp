@@ -35,20 +35,21 @@ void gatherAttributes(const Mesh& mesh, uint32_t wedge, const WedgeRecord& recor
 
 namespace {
 
-void directionBetween(uint32_t at, int32_t center, const int32_t* from, const int32_t* to, int32_t t8, int32_t* out) {
-  const format::Int2 p = octahedralBetween({from[at], from[at + 1]}, {to[at], to[at + 1]}, t8, center);
+void directionBetween(uint32_t at, const int32_t* from, const int32_t* to, DirectionRule rule, int32_t* out) {
+  const format::Int2 p = octahedralBetween({from[at], from[at + 1]}, {to[at], to[at + 1]}, rule);
   out[at] = p.x;
   out[at + 1] = p.y;
 }
 
 }  // namespace
 
-void attributesBetween(const WedgeRecord& record, int32_t normal_center, const int32_t* from, const int32_t* to,
-                       int32_t t8, int32_t* out) {
+void attributesBetween(const WedgeRecord& record, const int32_t* from, const int32_t* to, DirectionRule rule,
+                       int32_t* out) {
+  const int32_t t8 = rule.t8;
   for (uint32_t i = 0; i < record.stride; ++i) out[i] = from[i] + format::eighths(to[i] - from[i], t8);
-  if (record.normal != kNone) directionBetween(record.normal, normal_center, from, to, t8, out);
+  if (record.normal != kNone) directionBetween(record.normal, from, to, rule, out);
   if (record.tangent != kNone) {
-    directionBetween(record.tangent, normal_center, from, to, t8, out);
+    directionBetween(record.tangent, from, to, rule, out);
     // A handedness cannot be interpolated: the nearer child's, either child's order giving the same.
     out[record.tangent + 2] = t8 < 4   ? from[record.tangent + 2]
                               : t8 > 4 ? to[record.tangent + 2]

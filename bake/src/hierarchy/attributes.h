@@ -4,15 +4,15 @@
 #pragma once
 
 #include "lithe/bake/hierarchy.h"
-#include "lithe/format/octahedral.h"
+#include "lithe/bake/octahedral_difference.h"
 
 namespace lithe::bake {
 
 void gatherAttributes(const Mesh& mesh, uint32_t wedge, const WedgeRecord& record, int32_t* out);
 
-/// The record at t8 eighths between two wedges. Octahedral directions go the short way over the fold where a reader can
-/// undo it from either end, see octahedralDifference().
-void attributesBetween(const WedgeRecord& record, int32_t normal_center, const int32_t* from, const int32_t* to,
-                       int32_t t8, int32_t* out);
+/// The record at t8 eighths between two wedges; its directions by the rule. Octahedral directions go the short way over
+/// the fold where a reader can undo it from either end, see octahedralDifference().
+void attributesBetween(const WedgeRecord& record, const int32_t* from, const int32_t* to, DirectionRule rule,
+                       int32_t* out);
 
 }  // namespace lithe::bake

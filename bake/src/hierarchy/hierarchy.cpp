@@ -65,6 +65,7 @@ class Replay {
   // Faces at both children die and unite the wedges at their two corners; the others survive.
   std::vector<uint32_t> splitFaces(uint32_t a, uint32_t b, uint32_t node) {
     std::vector<uint32_t> survivors;
+    births_ = 0;
     for (uint32_t f : node_faces_[a]) {
       uint32_t at_a = kNone, at_b = kNone;
       for (uint32_t wedge : face_wedges_[f]) {
@@ -76,6 +77,7 @@ class Replay {
       } else {
         unite(local(at_a), local(at_b));
         h_.birth_node[f] = node;
+        ++births_;
       }
     }
     for (uint32_t f : node_faces_[b])
@@ -110,7 +112,7 @@ class Replay {
     h_.first_wedge.push_back(static_cast<uint32_t>(h_.wedge_node.size()));
   }
 
-  // The parent wedge lies at t8 between the first members on either side; a class of one child keeps its values.
+  // The parent wedge lies between the first members on either side; a class of one child keeps its values.
   uint32_t addWedge(uint32_t node, uint32_t representative) {
     uint32_t member[2] = {kNone, kNone};
     for (uint32_t i = 0; i < class_of_.size(); ++i)
@@ -127,8 +129,8 @@ class Replay {
     const uint32_t from = member[0] != kNone ? member[0] : member[1];
     const uint32_t to = member[1] != kNone ? member[1] : member[0];
     int32_t* const base = h_.wedge_attributes.data();
-    attributesBetween(h_.record, normal_center_, base + size_t{from} * stride, base + size_t{to} * stride, h_.t8[node],
-                      base + size_t{wedge} * stride);
+    attributesBetween(h_.record, base + size_t{from} * stride, base + size_t{to} * stride,
+                      {normal_center_, h_.t8[node], births_ > 0}, base + size_t{wedge} * stride);
     return wedge;
   }
 
@@ -143,6 +145,7 @@ class Replay {
   std::vector<std::array<uint32_t, 3>> face_wedges_;
   std::vector<std::vector<uint32_t>> node_faces_;
   uint32_t first_[2] = {0, 0}, count_[2] = {0, 0};
+  uint32_t births_ = 0;  // faces that the split of the node at hand makes
   std::vector<uint32_t> class_of_, new_wedge_;
 };
 

@@ -29,21 +29,28 @@ std::array<Int2, 9> imagesOf(Int2 p, int32_t center) {
 bool same(Int2 p, Int2 q) { return p.x == q.x && p.y == q.y; }
 int32_t length(Int2 d) { return std::abs(d.x) + std::abs(d.y); }
 
-bool decodes(Int2 parent, Int2 d, Int2 b, Int2 a, int32_t t8, int32_t center) {
-  const Int2 x{parent.x - format::eighths(d.x, t8), parent.y - format::eighths(d.y, t8)};
-  return same(format::octahedralFold(x, center), b) && same(format::octahedralFold({x.x + d.x, x.y + d.y}, center), a);
+/// The point that rule.eighths(d) of d lead to from `from`.
+Int2 along(Int2 from, Int2 d, DirectionRule rule, int32_t sign) {
+  const int32_t t8 = rule.eighths(d);
+  return {from.x + sign * format::eighths(d.x, t8), from.y + sign * format::eighths(d.y, t8)};
+}
+
+bool decodes(Int2 parent, Int2 d, Int2 b, Int2 a, DirectionRule rule) {
+  const Int2 x = along(parent, d, rule, -1);
+  return same(format::octahedralFold(x, rule.center), b) &&
+         same(format::octahedralFold({x.x + d.x, x.y + d.y}, rule.center), a);
 }
 
 bool inSquare(Int2 p, int32_t center) { return p.x >= 0 && p.x <= 2 * center && p.y >= 0 && p.y <= 2 * center; }
 
 }  // namespace
 
-std::optional<Int2> octahedralDifference(Int2 parent, Int2 b, Int2 a, int32_t t8, int32_t center) {
+std::optional<Int2> octahedralDifference(Int2 parent, Int2 b, Int2 a, DirectionRule rule) {
   std::optional<Int2> best;
-  for (Int2 from : imagesOf(b, center))
-    for (Int2 to : imagesOf(a, center)) {
+  for (Int2 from : imagesOf(b, rule.center))
+    for (Int2 to : imagesOf(a, rule.center)) {
       const Int2 d{to.x - from.x, to.y - from.y};
-      if ((!best || length(d) < length(*best)) && decodes(parent, d, b, a, t8, center)) best = d;
+      if ((!best || length(d) < length(*best)) && decodes(parent, d, b, a, rule)) best = d;
     }
   return best;
 }
@@ -51,16 +58,16 @@ std::optional<Int2> octahedralDifference(Int2 parent, Int2 b, Int2 a, int32_t t8
 // The images are chosen so that the point lies in the square as it is: folded, its rounding would be mirrored, and a
 // reader could not undo it. Straight across always fits; of equal ways the one with the lower point is taken, so that
 // either child's order gives the same.
-Int2 octahedralBetween(Int2 b, Int2 a, int32_t t8, int32_t center) {
-  Int2 best{b.x + format::eighths(a.x - b.x, t8), b.y + format::eighths(a.y - b.y, t8)};
+Int2 octahedralBetween(Int2 b, Int2 a, DirectionRule rule) {
+  Int2 best = along(b, {a.x - b.x, a.y - b.y}, rule, 1);
   int32_t least = length({a.x - b.x, a.y - b.y});
-  for (Int2 from : imagesOf(b, center))
-    for (Int2 to : imagesOf(a, center)) {
+  for (Int2 from : imagesOf(b, rule.center))
+    for (Int2 to : imagesOf(a, rule.center)) {
       const Int2 d{to.x - from.x, to.y - from.y};
       if (length(d) > least) continue;
-      const Int2 p{from.x + format::eighths(d.x, t8), from.y + format::eighths(d.y, t8)};
+      const Int2 p = along(from, d, rule, 1);
       if (length(d) == least && !(p.y < best.y || (p.y == best.y && p.x < best.x))) continue;
-      if (!inSquare(p, center) || !decodes(p, d, b, a, t8, center)) continue;
+      if (!inSquare(p, rule.center) || !decodes(p, d, b, a, rule)) continue;
       best = p;
       least = length(d);
     }

@@ -119,5 +119,13 @@ TEST(Octahedral, FoldBringsEveryPointOneSquareAwayBack) {
     }
 }
 
+TEST(DirectionEighths, AreHalfWayUnlessFarApartOrFolded) {
+  for (int32_t t8 = 0; t8 <= 8; ++t8) {
+    EXPECT_EQ(directionEighths({3, -4}, t8, true, 7), 4);
+    EXPECT_EQ(directionEighths({-4, -4}, t8, true, 7), t8);
+    EXPECT_EQ(directionEighths({3, -4}, t8, false, 7), t8);
+  }
+}
+
 }  // namespace
 }  // namespace lithe::format

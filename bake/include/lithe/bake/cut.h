@@ -16,7 +16,8 @@ uint32_t collapsesToReach(const CollapseSequence& sequence, const Mesh& mesh, ui
 /// The mesh after collapsesToReach() collapses, dequantised; skeleton, parts, materials and clips are the original's.
 ///
 /// Wedges: when a triangle dies because two of its corners became one node, the wedges at these corners become one,
-/// whose attributes lie t8 eighths of the way from that of child 0 to that of child 1. Every other wedge goes on alone.
+/// whose attributes lie t8 eighths of the way from that of child 0 to that of child 1, directions half way. Every other
+/// wedge goes on alone.
 /// Triangles with the same three nodes in the same orientation are output once; parts may lose all their triangles.
 Model cutToModel(const Model& original, const Mesh& mesh, const CollapseSequence& sequence, uint32_t triangles);
 

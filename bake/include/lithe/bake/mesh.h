@@ -74,7 +74,7 @@ struct Collapse {
   uint32_t child[2] = {0, 0};
   glm::ivec3 position{0};  ///< grid coordinates of the parent
   QuantizedSkin skin;      ///< of the parent
-  uint8_t t8 = 4;          ///< where linear attributes are taken between child[0] (0) and child[1] (8)
+  uint8_t t8 = 4;          ///< where attributes are taken between child[0] (0) and child[1] (8); directions: half way
   double cost = 0.0;       ///< the metric's value, in squared model units times area summed over poses
   uint32_t triangles = 0;  ///< triangles left afterwards, equal ones counted once
 };

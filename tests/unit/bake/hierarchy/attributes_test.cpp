@@ -11,12 +11,16 @@ namespace {
 
 using Values = std::vector<int32_t>;
 
-Values between(const AttributeSet& attributes, const Values& from, const Values& to, int32_t t8, int32_t center = 7) {
+Values between(const AttributeSet& attributes, const Values& from, const Values& to, int32_t t8, bool makes_faces) {
   const WedgeRecord record = wedgeRecord(attributes);
   EXPECT_EQ(record.stride, from.size());
   Values out(record.stride);
-  attributesBetween(record, center, from.data(), to.data(), t8, out.data());
+  attributesBetween(record, from.data(), to.data(), {7, t8, makes_faces}, out.data());
   return out;
+}
+
+Values between(const AttributeSet& attributes, const Values& from, const Values& to, int32_t t8) {
+  return between(attributes, from, to, t8, false);
 }
 
 TEST(WedgeRecords, EntriesFollowEachOtherInTheFilesOrder) {
@@ -75,6 +79,14 @@ TEST(AttributesBetween, DirectionsGoOverTheFold) {
   // See OctahedralDifference.OverTheFoldWhereThatIsShorter.
   EXPECT_EQ(between({true, false, 0, 0}, {1, 5}, {1, 9}, 4), (Values{0, 5}));
   EXPECT_EQ(between({false, true, 0, 0}, {1, 5, 1}, {1, 9, 1}, 4), (Values{0, 5, 1}));
+}
+
+TEST(AttributesBetween, DirectionsLieHalfWayWhereTheSplitMakesFaces) {
+  const AttributeSet attributes{true, true, 1, 0};
+  const Values from{5, 7, 9, 7, 1, 0, 100}, to{9, 7, 7, 9, 0, 16, 60};
+  EXPECT_EQ(between(attributes, from, to, 0, true), (Values{7, 7, 8, 8, 1, 0, 100}));
+  EXPECT_EQ(between(attributes, from, to, 2, true), (Values{7, 7, 8, 8, 1, 4, 90}));
+  EXPECT_EQ(between(attributes, from, to, 8, false), to);
 }
 
 TEST(AttributesBetween, HandednessIsTheNearerChilds) {

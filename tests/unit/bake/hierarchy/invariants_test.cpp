@@ -123,7 +123,8 @@ TEST_P(HierarchyInvariants, AParentsRecordFollowsFromItsFirstChildren) {
       const uint32_t from = first[0] != kNone ? first[0] : first[1], to = first[1] != kNone ? first[1] : first[0];
       const auto values = [&](uint32_t wedge) { return h.wedge_attributes.data() + size_t{wedge} * h.record.stride; };
       std::vector<int32_t> expected(h.record.stride);
-      attributesBetween(h.record, center, values(from), values(to), h.t8[node], expected.data());
+      const DirectionRule rule{center, h.t8[node], h.born_begin[node] < h.born_begin[node + 1]};
+      attributesBetween(h.record, values(from), values(to), rule, expected.data());
       for (uint32_t i = 0; i < h.record.stride; ++i) {
         if (from == to) {
           ASSERT_EQ(values(w)[i], values(from)[i]);

@@ -17,56 +17,79 @@ using format::Int2;
 bool same(Int2 p, Int2 q) { return p.x == q.x && p.y == q.y; }
 
 /// A reader's two formulas (docs/format.md, 4.4).
-std::pair<Int2, Int2> decoded(Int2 parent, Int2 d, int32_t t8, int32_t center) {
-  const Int2 x{parent.x - format::eighths(d.x, t8), parent.y - format::eighths(d.y, t8)};
-  return {format::octahedralFold(x, center), format::octahedralFold({x.x + d.x, x.y + d.y}, center)};
+std::pair<Int2, Int2> decoded(Int2 parent, Int2 d, const DirectionRule& rule) {
+  const bool far = std::abs(d.x) + std::abs(d.y) > rule.center;
+  const int32_t h = far || !rule.makes_faces ? rule.t8 : 4;
+  const Int2 x{parent.x - format::eighths(d.x, h), parent.y - format::eighths(d.y, h)};
+  return {format::octahedralFold(x, rule.center), format::octahedralFold({x.x + d.x, x.y + d.y}, rule.center)};
 }
 
-void expectDecodes(Int2 parent, Int2 b, Int2 a, int32_t t8, int32_t center) {
-  const std::optional<Int2> d = octahedralDifference(parent, b, a, t8, center);
-  ASSERT_TRUE(d.has_value()) << b.x << "," << b.y << " " << a.x << "," << a.y << " t8 " << t8;
-  const auto [of_b, of_a] = decoded(parent, *d, t8, center);
-  ASSERT_TRUE(same(of_b, b) && same(of_a, a)) << b.x << "," << b.y << " " << a.x << "," << a.y << " t8 " << t8;
+void expectDecodes(Int2 parent, Int2 b, Int2 a, const DirectionRule& rule) {
+  const std::optional<Int2> d = octahedralDifference(parent, b, a, rule);
+  ASSERT_TRUE(d.has_value()) << b.x << "," << b.y << " " << a.x << "," << a.y << " t8 " << rule.t8;
+  const auto [of_b, of_a] = decoded(parent, *d, rule);
+  ASSERT_TRUE(same(of_b, b) && same(of_a, a)) << b.x << "," << b.y << " " << a.x << "," << a.y << " t8 " << rule.t8;
+}
+
+DirectionRule plainly(int32_t t8, int32_t center = 7) { return {center, t8, false}; }
+
+/// Whichever child comes first.
+void expectDecodesFromEitherEnd(Int2 b, Int2 a, const DirectionRule& rule) {
+  const Int2 parent = octahedralBetween(b, a, rule);
+  ASSERT_TRUE(parent.x >= 0 && parent.x <= 2 * rule.center && parent.y >= 0 && parent.y <= 2 * rule.center);
+  expectDecodes(parent, b, a, rule);
+  expectDecodes(parent, a, b, {rule.center, 8 - rule.t8, rule.makes_faces});
 }
 
 TEST(OctahedralDifference, StraightWhereThatIsShort) {
-  const Int2 b{4, 5}, a{8, 3}, parent = octahedralBetween(b, a, 4, 7);
+  const Int2 b{4, 5}, a{8, 3}, parent = octahedralBetween(b, a, plainly(4));
   EXPECT_TRUE(same(parent, {6, 4}));
-  const auto d = octahedralDifference(parent, b, a, 4, 7);
+  const auto d = octahedralDifference(parent, b, a, plainly(4));
   ASSERT_TRUE(d.has_value());
   EXPECT_TRUE(same(*d, {4, -2}));
 }
 
 TEST(OctahedralDifference, OverTheFoldWhereThatIsShorter) {
   // (1, 9) is also (-1, 5) beyond the left edge: two steps from (1, 5) instead of four.
-  const Int2 b{1, 5}, a{1, 9}, parent = octahedralBetween(b, a, 4, 7);
+  const Int2 b{1, 5}, a{1, 9}, parent = octahedralBetween(b, a, plainly(4));
   EXPECT_TRUE(same(parent, {0, 5}));
-  const auto d = octahedralDifference(parent, b, a, 4, 7);
+  const auto d = octahedralDifference(parent, b, a, plainly(4));
   ASSERT_TRUE(d.has_value());
   EXPECT_TRUE(same(*d, {-2, 0}));
 }
 
 TEST(OctahedralDifference, OverTheFoldWithARoundingThatIsNoMirrorImage) {
   // Over the left edge: five steps; their middle lies beyond it and must be rounded as it lies inside.
-  const Int2 b{1, 5}, a{4, 10}, parent = octahedralBetween(b, a, 4, 7);
+  const Int2 b{1, 5}, a{4, 10}, parent = octahedralBetween(b, a, plainly(4));
   EXPECT_TRUE(same(parent, {2, 10}));  // from (-1, 9), the image of b, half of (5, 1) on
-  const auto d = octahedralDifference(parent, b, a, 4, 7);
+  const auto d = octahedralDifference(parent, b, a, plainly(4));
   ASSERT_TRUE(d.has_value());
   EXPECT_TRUE(same(*d, {5, 1}));
 }
 
+TEST(OctahedralDifference, HalfWayUnlessFarApartOrFolded) {
+  const Int2 b{4, 5}, near{8, 3}, far{8, 1};
+  for (int32_t t8 = 0; t8 <= 8; ++t8) {
+    EXPECT_TRUE(same(octahedralBetween(b, near, {7, t8, true}), {6, 4})) << t8;
+    EXPECT_TRUE(same(octahedralBetween(b, near, {7, t8, false}), octahedralBetween(b, near, plainly(t8)))) << t8;
+    EXPECT_TRUE(same(octahedralBetween(b, far, {7, t8, true}), octahedralBetween(b, far, plainly(t8)))) << t8;
+  }
+  EXPECT_TRUE(same(octahedralBetween(b, near, plainly(0)), b));
+  EXPECT_TRUE(same(octahedralBetween(b, far, {7, 8, true}), far));
+}
+
 TEST(OctahedralDifference, NothingWhenNoDifferenceFits) {
   // At t8 = 0 the parent is b.
-  EXPECT_FALSE(octahedralDifference({7, 7}, {5, 5}, {6, 6}, 0, 7).has_value());
+  EXPECT_FALSE(octahedralDifference({7, 7}, {5, 5}, {6, 6}, plainly(0)).has_value());
   // At t8 = 8 it is a.
-  EXPECT_FALSE(octahedralDifference({7, 7}, {7, 7}, {6, 6}, 8, 7).has_value());
+  EXPECT_FALSE(octahedralDifference({7, 7}, {7, 7}, {6, 6}, plainly(8)).has_value());
 }
 
 TEST(OctahedralDifference, EndsAreTheChildrenThemselves) {
   for (Int2 b : {Int2{0, 3}, Int2{7, 7}, Int2{14, 14}})
     for (Int2 a : {Int2{2, 2}, Int2{13, 7}}) {
-      EXPECT_TRUE(same(octahedralBetween(b, a, 0, 7), b));
-      EXPECT_TRUE(same(octahedralBetween(b, a, 8, 7), a));
+      EXPECT_TRUE(same(octahedralBetween(b, a, plainly(0)), b));
+      EXPECT_TRUE(same(octahedralBetween(b, a, plainly(8)), a));
     }
 }
 
@@ -76,10 +99,7 @@ TEST(OctahedralDifference, EveryParentOfEveryPairCanBeSplitFromEitherEnd) {
     for (int32_t j = 0; j < (kSize + 1) * (kSize + 1); ++j)
       for (int32_t t8 = 0; t8 <= 8; ++t8) {
         const Int2 b{i % (kSize + 1), i / (kSize + 1)}, a{j % (kSize + 1), j / (kSize + 1)};
-        const Int2 parent = octahedralBetween(b, a, t8, kCenter);
-        ASSERT_TRUE(parent.x >= 0 && parent.x <= kSize && parent.y >= 0 && parent.y <= kSize);
-        expectDecodes(parent, b, a, t8, kCenter);
-        expectDecodes(parent, a, b, 8 - t8, kCenter);
+        for (const bool makes_faces : {false, true}) expectDecodesFromEitherEnd(b, a, {kCenter, t8, makes_faces});
         if (HasFatalFailure()) return;
       }
 }
@@ -92,10 +112,7 @@ TEST(OctahedralDifference, LikewiseInTheFinestSquare) {
     const Int2 b{i % 3 ? random.between(0, 2 * kCenter) : 0, random.between(0, 2 * kCenter)};
     const Int2 a = i % 2 ? Int2{random.between(0, 2 * kCenter), random.between(0, 2 * kCenter)}
                          : format::octahedralFold({b.x + random.between(-9, 9), b.y + random.between(-9, 9)}, kCenter);
-    const int32_t t8 = random.between(0, 8);
-    const Int2 parent = octahedralBetween(b, a, t8, kCenter);
-    expectDecodes(parent, b, a, t8, kCenter);
-    expectDecodes(parent, a, b, 8 - t8, kCenter);
+    expectDecodesFromEitherEnd(b, a, {kCenter, random.between(0, 8), i % 5 != 0});
     if (HasFatalFailure()) return;
   }
 }
@@ -123,7 +140,7 @@ TEST(OctahedralDifference, ParentOfCloseDirectionsIsCloseToThem) {
                  i % 3 ? random.between(1, 2 * kCenter - 1) : random.between(1, 12)};
     const Int2 a = format::octahedralFold({b.x + random.between(-20, 20), b.y + random.between(-20, 20)}, kCenter);
     if (a.x % (2 * kCenter) == 0 || a.y % (2 * kCenter) == 0) continue;
-    const Int2 parent = octahedralBetween(b, a, random.between(1, 7), kCenter);
+    const Int2 parent = octahedralBetween(b, a, plainly(random.between(1, 7), kCenter));
     ASSERT_LT(angleBetween(parent, b, kCenter), 0.2) << b.x << "," << b.y << " " << a.x << "," << a.y;
     ASSERT_LT(angleBetween(parent, a, kCenter), 0.2) << b.x << "," << b.y << " " << a.x << "," << a.y;
   }
