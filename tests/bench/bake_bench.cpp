@@ -4,7 +4,7 @@
 //
 //     bench_bake [50k|200k|1M|figure ...] [--threads N]
 //
-// All of them when none is named. Prints markdown: every character in 16 poses, then the first of them in 4 to 32.
+// Prints markdown: the named characters in 16 poses; when none is named all of them, and then the first in 4 to 32.
 // ktris are thousands of the finest level's triangles, from there to the coarsest of the default levels. Seconds are
 // the processor's, of all threads together and the best of three runs: what else the machine does matters less then.
 #include <sys/resource.h>
@@ -97,9 +97,11 @@ void printRow(const std::string& name, uint32_t pose_count, uint32_t threads) {
   std::fflush(stdout);
 }
 
-void run(const std::vector<std::string>& names, uint32_t threads) {
+void run(const std::vector<std::string>& named, uint32_t threads) {
+  const std::vector<std::string> names = named.empty() ? denseFigureNames() : named;
   printHead();
   for (const std::string& name : names) printRow(name, kPoses, threads);
+  if (!named.empty()) return;
   std::printf("\n");
   printHead();
   for (uint32_t pose_count : {4u, 8u, 16u, 32u}) printRow(names.front(), pose_count, threads);
@@ -119,7 +121,7 @@ int main(int argc, char** argv) try {
       names.push_back(argument);
     }
   }
-  lithe::bench::run(names.empty() ? lithe::bench::denseFigureNames() : names, threads);
+  lithe::bench::run(names, threads);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

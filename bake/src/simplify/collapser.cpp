@@ -3,9 +3,9 @@
 #include "collapser.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "fold.h"
+#include "parallel.h"
 
 namespace lithe::bake {
 
@@ -27,22 +27,6 @@ Surface classifiedSurface(const Mesh& mesh, const PosedMesh& posed) {
   Surface surface(mesh);
   surface.classifyEdges(posed);
   return surface;
-}
-
-/// Runs job(begin, end) over [0, count) in as many pieces as there are threads.
-template <class Job>
-void inParallel(uint32_t count, uint32_t threads, const Job& job) {
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-  threads = std::max(1u, std::min(threads, count / 256));
-  std::vector<std::thread> workers;
-  for (uint32_t i = 1; i < threads; ++i) {
-    workers.emplace_back([&, i] {
-      job(static_cast<uint32_t>(uint64_t{count} * i / threads),
-          static_cast<uint32_t>(uint64_t{count} * (i + 1) / threads));
-    });
-  }
-  job(0, count / threads);
-  for (std::thread& worker : workers) worker.join();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "kernels.h"
 
+#include <cstring>
 #include <vector>
 
 #include "kernel_templates.h"
@@ -116,6 +117,25 @@ LITHE_KERNEL float squaredDistances(const PosedPoint* a, const PosedPoint* b, ui
     sum += dot(edge, edge);
   }
   return laneSum(sum);
+}
+
+LITHE_KERNEL void squaredDistancesFrom(const PosedPoint* point, std::span<const PosedPoint* const> others,
+                                       uint32_t blocks, float* result) {
+  for (size_t i = 0; i < others.size(); ++i) {
+    Lanes sum{};
+    for (uint32_t block = 0; block < blocks; ++block) {
+      const PosedPoint edge = others[i][block] - point[block];
+      sum += dot(edge, edge);
+    }
+    result[i] = laneSum(sum);
+  }
+}
+
+LITHE_KERNEL void squaredDistancesToFaces(std::span<const FaceDistances> faces, float* result) {
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const Lanes of_eight = squaredDistanceToFace(faces[i]);
+    std::memcpy(result + kLanes * i, &of_eight, sizeof of_eight);
+  }
 }
 
 }  // namespace lithe::bake

@@ -74,4 +74,20 @@ uint32_t countFlips(const FanFace& face, const PosedPoint* moved, uint32_t block
 /// The sum over the poses of the squared distance of two points.
 float squaredDistances(const PosedPoint* a, const PosedPoint* b, uint32_t blocks);
 
+/// The same for one point and many others.
+void squaredDistancesFrom(const PosedPoint* point, std::span<const PosedPoint* const> others, uint32_t blocks,
+                          float* result);
+
+/// Eight triangles, each with a point: squared distances, whatever the number of dimensions.
+template <class L>
+struct alignas(kLanesAlignment) FaceDistancesOf {
+  L to[3];    // from the point to the corners
+  L edge[3];  // lengths of 0-1, 0-2 and 1-2
+};
+using FaceDistances = FaceDistancesOf<Lanes>;
+
+/// The squared distance of each point to the nearest point of its triangle, kLanes for each of `faces`; rounding may
+/// bring it below zero.
+void squaredDistancesToFaces(std::span<const FaceDistances> faces, float* result);
+
 }  // namespace lithe::bake

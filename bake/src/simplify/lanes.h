@@ -52,6 +52,7 @@ struct ScalarLanes {
   friend ScalarLanes operator+(const ScalarLanes& a, const ScalarLanes& b) {
     return each(a, b, [](float x, float y) { return x + y; });
   }
+  friend ScalarLanes operator+(const ScalarLanes& a, float b) { return a + all(b); }
   friend ScalarLanes operator-(const ScalarLanes& a, const ScalarLanes& b) {
     return each(a, b, [](float x, float y) { return x - y; });
   }
@@ -71,6 +72,15 @@ template <class L>
 LITHE_INLINE float laneSum(const L& x) {
   return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
 }
+#if defined(__SSE2__)
+LITHE_INLINE float laneSum(const Lanes& x) {
+  __m128 half[2];
+  std::memcpy(half, &x, sizeof half);
+  const __m128 fours = _mm_add_ps(half[0], half[1]);
+  const __m128 pairs = _mm_add_ps(fours, _mm_movehl_ps(fours, fours));
+  return _mm_cvtss_f32(_mm_add_ss(pairs, _mm_shuffle_ps(pairs, pairs, 1)));
+}
+#endif
 
 inline constexpr float kVanishing = 1e-30f;  // squared doubled areas below this are no area (the posed diagonal is 1)
 
@@ -107,6 +117,28 @@ LITHE_INLINE Lanes squareRoot(const Lanes& x) {
   for (uint32_t i = 0; i < kLanes; ++i) result[i] = std::sqrt(x[i]);
   return result;
 #endif
+}
+
+/// The lesser of each two lanes; b's where they cannot be compared.
+LITHE_INLINE ScalarLanes lesser(const ScalarLanes& a, const ScalarLanes& b) {
+  return ScalarLanes::each(a, b, [](float x, float y) { return x < y ? x : y; });
+}
+LITHE_INLINE Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
+
+/// The greater of each two lanes; b's where they cannot be compared.
+LITHE_INLINE ScalarLanes greater(const ScalarLanes& a, const ScalarLanes& b) {
+  return ScalarLanes::each(a, b, [](float x, float y) { return x > y ? x : y; });
+}
+LITHE_INLINE Lanes greater(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+
+/// a's lanes where the condition's are below zero, else b's.
+LITHE_INLINE ScalarLanes whereNegative(const ScalarLanes& condition, const ScalarLanes& a, const ScalarLanes& b) {
+  ScalarLanes result;
+  for (uint32_t i = 0; i < kLanes; ++i) result[i] = condition[i] < 0.0f ? a[i] : b[i];
+  return result;
+}
+LITHE_INLINE Lanes whereNegative(const Lanes& condition, const Lanes& a, const Lanes& b) {
+  return condition < Lanes{} ? a : b;
 }
 
 /// How many lanes of a are less than b's.

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "kernel_templates.h"
 #include "kernels.h"
 #include "normal_equations.h"
+#include "parallel.h"
 
 namespace lithe::bake {
 
@@ -20,63 +22,18 @@ constexpr double kStay = 1e-2;                // of the trace
 constexpr float kReach = 0.25f;               // squared, of the mean squared length of the edges at a node
 constexpr uint32_t kTrials = 3;
 
-/// A point and a triangle in all poses, as one point and one triangle of a space of three dimensions per pose: dot
-/// products are all that the nearest point takes.
-struct StackedDots {
-  float bb, bc, cc, bp, cp, pp;  // of b - a, c - a and p - a
-};
-
-LITHE_KERNEL StackedDots stackedDots(const PosedPoint* a, const PosedPoint* b, const PosedPoint* c, const PosedPoint* p,
-                                     uint32_t blocks) {
-  Lanes bb{}, bc{}, cc{}, bp{}, cp{}, pp{};
-  for (uint32_t i = 0; i < blocks; ++i) {
-    const PosedPoint ab = b[i] - a[i], ac = c[i] - a[i], ap = p[i] - a[i];
-    bb += dot(ab, ab);
-    bc += dot(ab, ac);
-    cc += dot(ac, ac);
-    bp += dot(ab, ap);
-    cp += dot(ac, ap);
-    pp += dot(ap, ap);
-  }
-  return {laneSum(bb), laneSum(bc), laneSum(cc), laneSum(bp), laneSum(cp), laneSum(pp)};
-}
-
-/// The nearest point of the triangle, as shares of its corners (Ericson 2005, 5.1.5), and its squared distance.
-double nearestShares(const StackedDots& s, float share[3]) {
-  const double d1 = s.bp, d2 = s.cp, d3 = d1 - s.bb, d4 = d2 - s.bc, d5 = d1 - s.bc, d6 = d2 - s.cc;
-  double v = 0.0, w = 0.0;
-  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  if (d1 <= 0.0 && d2 <= 0.0) {
-  } else if (d3 >= 0.0 && d4 <= d3) {
-    v = 1.0;
-  } else if (d6 >= 0.0 && d5 <= d6) {
-    w = 1.0;
-  } else if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-    v = d1 / (d1 - d3);
-  } else if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-    w = d2 / (d2 - d6);
-  } else if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-    w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    v = 1.0 - w;
-  } else {
-    const double sum = va + vb + vc;
-    if (sum > 0.0) v = vb / sum, w = vc / sum;
-  }
-  share[0] = static_cast<float>(1.0 - v - w);
-  share[1] = static_cast<float>(v);
-  share[2] = static_cast<float>(w);
-  return s.pp - 2.0 * (v * d1 + w * d2) + v * v * s.bb + 2.0 * v * w * s.bc + w * w * s.cc;
-}
-
-/// A point of the original's surface, and its normal (none for a point of a border), posed.
-LITHE_KERNEL void samplePoint(const PosedPoint* a, const PosedPoint* b, const PosedPoint* c, const float* share,
-                              bool with_normal, uint32_t blocks, PosedPoint* point, PosedPoint* normal) {
+LITHE_KERNEL void blendCorners(const PosedPoint* a, const PosedPoint* b, const PosedPoint* c, const float* share,
+                               uint32_t blocks, PosedPoint* point) {
   for (uint32_t i = 0; i < blocks; ++i) {
     point[i] = {a[i].x * share[0] + b[i].x * share[1] + c[i].x * share[2],
                 a[i].y * share[0] + b[i].y * share[1] + c[i].y * share[2],
                 a[i].z * share[0] + b[i].z * share[1] + c[i].z * share[2]};
-    normal[i] = PosedPoint{};
-    if (!with_normal) continue;
+  }
+}
+
+LITHE_KERNEL void unitNormals(const PosedPoint* a, const PosedPoint* b, const PosedPoint* c, uint32_t blocks,
+                              PosedPoint* normal) {
+  for (uint32_t i = 0; i < blocks; ++i) {
     const PosedPoint n = cross(b[i] - a[i], c[i] - a[i]);
     const Lanes scale = squareRoot(positiveReciprocal(dot(n, n)));
     normal[i] = {n.x * scale, n.y * scale, n.z * scale};
@@ -130,16 +87,16 @@ LITHE_KERNEL void addMatch(const Residual& r, float share, uint32_t blocks, Quad
 }  // namespace
 
 Refit::Refit(const NodeState& nodes, const Surface& surface, const SimplifyOptions& options)
-    : weights_(options), blocks_(nodes.posed.blocks), position_(nodes.posed.positions) {
+    : weights_(options), threads_(options.threads), blocks_(nodes.posed.blocks), position_(nodes.posed.positions) {
   const auto count = static_cast<uint32_t>(nodes.positions.size());
   into_.resize(count);
   for (uint32_t slot = 0; slot < count; ++slot) into_[slot] = slot;
   made_.resize(count);
   is_new_.assign(count, 0);
   new_index_.resize(count);
+  root_.resize(count);
+  lengths_.resize(surface.faceCount());
   trial_.resize(blocks_);
-  point_.resize(blocks_);
-  normal_.resize(blocks_);
   blend_.resize(blocks_);
   const float poses = static_cast<float>(nodes.posed.pose_count);
   for (uint32_t id = 0; id < surface.faceCount(); ++id) {
@@ -165,88 +122,166 @@ void Refit::merged(uint32_t a, uint32_t b, const Segment& segment, int32_t t8) {
   is_new_[a] = 1;
 }
 
-uint32_t Refit::slotOf(uint32_t vertex) {
-  uint32_t root = vertex;
-  while (into_[root] != root) root = into_[root];
-  while (into_[vertex] != root) {
-    const uint32_t next = into_[vertex];
-    into_[vertex] = root;
-    vertex = next;
-  }
-  return root;
+// ---- Samples
+
+void Refit::chooseSamples(const Surface& surface) {
+  const size_t wanted = size_t{kMatchesPerTriangle} * std::max(1u, surface.triangleCount());
+  stride_ = static_cast<uint32_t>(std::max<size_t>(1, faces_.size() / wanted));
+  per_face_ = 3 * faces_.size() <= wanted ? 3 : 1;
+  nearest_.assign(sampleCount(), FacePoint{});
+  energy_.assign(sampleCount(), 0.0f);
 }
 
-void Refit::poseSample(const Match& match) {
-  const PosedPoint* vertex[3];
-  for (uint32_t k = 0; k < 3; ++k) vertex[k] = position_.data() + size_t{match.from.vertex[k]} * blocks_;
-  samplePoint(vertex[0], vertex[1], vertex[2], match.at, !match.border, blocks_, point_.data(), normal_.data());
+uint32_t Refit::sampleCount() const {
+  const size_t sampled = (faces_.size() + stride_ - 1) / stride_;
+  return static_cast<uint32_t>(sampled * per_face_ + borders_.size());
 }
 
-bool Refit::findNearest(const NodeState& nodes, const Surface& surface, Match& match) {
-  double least = 1e300;
-  uint32_t seen[3];
-  for (uint32_t k = 0; k < 3; ++k) {
-    const uint32_t slot = seen[k] = slotOf(match.from.vertex[k]);
-    if ((k > 0 && slot == seen[0]) || (k > 1 && slot == seen[1])) continue;
-    for (uint32_t id : surface.facesAt(slot)) {
-      const Face& face = surface.face(id);
-      if ((k > 0 && face.has(seen[0])) || (k > 1 && face.has(seen[1]))) continue;
-      float share[3];
-      const StackedDots dots = stackedDots(nodes.posed.at(face.corner[0]), nodes.posed.at(face.corner[1]),
-                                           nodes.posed.at(face.corner[2]), point_.data(), blocks_);
-      const double distance = nearestShares(dots, share);
-      if (!(distance < least)) continue;
-      least = distance;
-      match.face = id;
-      std::copy_n(share, 3, match.share);
-    }
-  }
-  return least < 1e300;
-}
-
-double Refit::accumulate(const Match& match, const NodeState& nodes, const Surface& surface) {
-  const Face& face = surface.face(match.face);
-  Residual residual;
-  for (uint32_t k = 0; k < 3; ++k) {
-    residual.corner[k] = nodes.posed.at(face.corner[k]);
-    residual.share[k] = match.share[k];
-  }
-  residual.point = point_.data();
-  residual.normal = normal_.data();
-  residual.area = match.area;
-  residual.hold = match.border ? 1.0f : kHold;
-  for (uint32_t k = 0; k < 3; ++k)
-    if (is_new_[face.corner[k]] && match.share[k] > 0.0f)
-      addMatch(residual, match.share[k], blocks_, quadric_.data() + size_t{new_index_[face.corner[k]]} * blocks_);
-  return energyOf(residual, blocks_);
-}
-
-// Fills the quadrics of the new slots; returns the energy of the surface as it is.
-double Refit::matchAll(const NodeState& nodes, const Surface& surface) {
+Refit::Sample Refit::sampleAt(uint32_t index) const {
   static constexpr float kCentre[3] = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
   static constexpr float kInner[3][3] = {{4.0f / 6.0f, 1.0f / 6.0f, 1.0f / 6.0f},
                                          {1.0f / 6.0f, 4.0f / 6.0f, 1.0f / 6.0f},
                                          {1.0f / 6.0f, 1.0f / 6.0f, 4.0f / 6.0f}};
   static constexpr float kMiddle[3] = {0.5f, 0.5f, 0.0f};
-  std::fill(quadric_.begin(), quadric_.end(), Quadric{});
-  double energy = 0.0;
-  auto add = [&](const Sampled& from, const float* at, float area, bool border) {
-    Match match{from, at, area, border, 0, {}};
-    poseSample(match);
-    if (findNearest(nodes, surface, match)) energy += accumulate(match, nodes, surface);
-  };
-  const size_t wanted = size_t{kMatchesPerTriangle} * std::max(1u, surface.triangleCount());
-  const size_t stride = std::max<size_t>(1, faces_.size() / wanted);
-  const bool fine = 3 * faces_.size() <= wanted;
-  for (size_t i = 0; i < faces_.size(); i += stride) {
-    if (fine)
-      for (const float* at : kInner) add(faces_[i], at, faces_[i].area / 3.0f, false);
-    else
-      add(faces_[i], kCentre, faces_[i].area * static_cast<float>(stride), false);
+  const auto on_faces = static_cast<uint32_t>(sampleCount() - borders_.size());
+  if (index >= on_faces) {
+    const Sampled& border = borders_[index - on_faces];
+    return {border, kMiddle, border.area, true};
   }
-  for (const Sampled& border : borders_) add(border, kMiddle, border.area, true);
+  const Sampled& face = faces_[size_t{index / per_face_} * stride_];
+  if (per_face_ == 3) return {face, kInner[index % 3], face.area / 3.0f, false};
+  return {face, kCentre, face.area * static_cast<float>(stride_), false};
+}
+
+std::array<uint32_t, 3> Refit::slotsOf(const Sample& sample) const {
+  const auto& [a, b, c] = sample.from.vertex;
+  return {root_[a], root_[b], root_[c]};
+}
+
+void Refit::poseSample(const Sample& sample, std::vector<PosedPoint>& point) const {
+  const auto& [a, b, c] = sample.from.vertex;
+  blendCorners(originalAt(a), originalAt(b), originalAt(c), sample.at, blocks_, point.data());
+}
+
+// None for a point of a border.
+void Refit::poseNormal(const Sample& sample, std::vector<PosedPoint>& normal) const {
+  const auto& [a, b, c] = sample.from.vertex;
+  if (sample.border)
+    std::fill(normal.begin(), normal.end(), PosedPoint{});
+  else
+    unitNormals(originalAt(a), originalAt(b), originalAt(c), blocks_, normal.data());
+}
+
+// ---- Matching
+
+void Refit::findRoots() {
+  for (uint32_t vertex = 0; vertex < into_.size(); ++vertex) {
+    uint32_t root = vertex;
+    while (into_[root] != root) root = into_[root];
+    root_[vertex] = root;
+    for (uint32_t next = vertex; into_[next] != root;) {
+      const uint32_t after = into_[next];
+      into_[next] = root;
+      next = after;
+    }
+  }
+}
+
+void Refit::measureEdges(const NodeState& nodes, const Surface& surface) {
+  inParallel(surface.faceCount(), threads_, [&](uint32_t begin, uint32_t end) {
+    for (uint32_t id = begin; id < end; ++id) {
+      const Face& face = surface.face(id);
+      const auto& [a, b, c] = face.corner;
+      if (face.alive() && (has_changed_[a] || has_changed_[b] || has_changed_[c]))
+        lengths_[id] = edgeLengths(face, nodes.posed);
+    }
+  });
+}
+
+void Refit::noteChange(uint32_t slot, const Surface& surface) {
+  for (uint32_t id : surface.facesAt(slot))
+    for (uint32_t corner : surface.face(id).corner) has_changed_[corner] = 1;
+}
+
+// Samples whose faces are what they were keep what was found. Afterwards matches_changed_ tells which slots have other
+// matches than before, or the same with another energy.
+void Refit::findNearest(const NodeState& nodes, const Surface& surface) {
+  measureEdges(nodes, surface);
+  matches_changed_ = has_changed_;
+  std::mutex mutex;
+  inParallel(sampleCount(), threads_, [&](uint32_t begin, uint32_t end) {
+    FaceSearch search(nodes, surface, lengths_);
+    std::vector<PosedPoint> point(blocks_);
+    std::vector<uint32_t> left, entered;  // faces
+    for (uint32_t i = begin; i < end; ++i) {
+      const Sample sample = sampleAt(i);
+      const std::array<uint32_t, 3> slots = slotsOf(sample);
+      if (!(has_changed_[slots[0]] || has_changed_[slots[1]] || has_changed_[slots[2]])) continue;
+      poseSample(sample, point);
+      const FacePoint found = search.nearest(point.data(), slots);
+      if (found == nearest_[i]) continue;
+      left.push_back(nearest_[i].face);
+      entered.push_back(found.face);
+      nearest_[i] = found;
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    for (const std::vector<uint32_t>* faces : {&left, &entered})
+      for (uint32_t id : *faces)
+        for (uint32_t k = 0; k < 3 && id != kNone; ++k) matches_changed_[surface.face(id).corner[k]] = 1;
+  });
+}
+
+// Brings the quadrics of the new slots up to date; returns the energy of the surface as it is.
+double Refit::accumulateAll(const NodeState& nodes, const Surface& surface) {
+  inParallel(static_cast<uint32_t>(into_.size()), threads_, [&](uint32_t begin, uint32_t end) {
+    for (uint32_t slot = begin; slot < end; ++slot) {
+      if (is_new_[slot] && matches_changed_[slot]) std::fill_n(quadricAt(slot), blocks_, Quadric{});
+    }
+    accumulateAt(begin, end, nodes, surface);
+  });
+  double energy = 0.0;
+  for (float of_one : energy_) energy += of_one;
   return energy;
 }
+
+// Every slot gets its matches in the order of the samples, whichever thread it belongs to; the energy of a match is
+// noted with its face's first corner.
+void Refit::accumulateAt(uint32_t first_slot, uint32_t end_slot, const NodeState& nodes, const Surface& surface) {
+  const auto concerns = [&](uint32_t slot) { return slot >= first_slot && slot < end_slot && matches_changed_[slot]; };
+  std::vector<PosedPoint> point(blocks_), normal(blocks_);
+  const Sampled* normal_of = nullptr;
+  for (uint32_t i = 0; i < nearest_.size(); ++i) {
+    if (nearest_[i].face == kNone) continue;
+    const auto& corner = surface.face(nearest_[i].face).corner;
+    if (std::none_of(corner.begin(), corner.end(), concerns)) continue;
+
+    const Sample sample = sampleAt(i);
+    poseSample(sample, point);
+    if (normal_of != &sample.from) poseNormal(sample, normal);
+    normal_of = &sample.from;
+    Residual residual;
+    for (uint32_t k = 0; k < 3; ++k) {
+      residual.corner[k] = nodes.posed.at(corner[k]);
+      residual.share[k] = nearest_[i].share[k];
+    }
+    residual.point = point.data();
+    residual.normal = normal.data();
+    residual.area = sample.area;
+    residual.hold = sample.border ? 1.0f : kHold;
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (residual.share[k] > 0.0f && is_new_[corner[k]] && concerns(corner[k]))
+        addMatch(residual, residual.share[k], blocks_, quadricAt(corner[k]));
+    }
+    if (concerns(corner[0])) energy_[i] = energyOf(residual, blocks_);
+  }
+}
+
+double Refit::match(const NodeState& nodes, const Surface& surface) {
+  findNearest(nodes, surface);
+  return accumulateAll(nodes, surface);
+}
+
+// ---- Moving
 
 bool Refit::mayMove(uint32_t slot, const PosedPoint* to, const NodeState& nodes, const Surface& surface) const {
   const PosedPoint* from = nodes.posed.at(slot);
@@ -267,7 +302,7 @@ bool Refit::step(uint32_t slot, NodeState& nodes, const Surface& surface) {
   const PosedPoint* from = nodes.posed.at(slot);
   const Affine* blend = blendSkin(nodes.posed, nodes.skins[slot], blend_.data());
   const NormalEquations n =
-      normalEquations(quadric_.data() + size_t{new_index_[slot]} * blocks_, blend, from, from, blocks_);
+      normalEquations(quadricAt(slot), blend, from, from, blocks_);
   glm::dvec3 move = solveNormalEquations(n, kStay);
   for (uint32_t trial = 0; trial < kTrials; ++trial, move *= 0.5) {
     const glm::ivec3 place = segment.snap(glm::dvec3(nodes.positions[slot]) + move, made.t8);
@@ -279,6 +314,18 @@ bool Refit::step(uint32_t slot, NodeState& nodes, const Surface& surface) {
     return true;
   }
   return false;
+}
+
+// A slot that stayed where it is will stay again until its matches or its faces change.
+bool Refit::stepAll(NodeState& nodes, const Surface& surface) {
+  bool any = false;
+  std::fill(has_changed_.begin(), has_changed_.end(), uint8_t{0});
+  for (uint32_t slot : new_slots_) {
+    if (!(matches_changed_[slot] || has_changed_[slot]) || !step(slot, nodes, surface)) continue;
+    noteChange(slot, surface);
+    any = true;
+  }
+  return any;
 }
 
 std::vector<glm::ivec3> Refit::places(const NodeState& nodes) const {
@@ -303,11 +350,17 @@ void Refit::run(NodeState& nodes, const Surface& surface,
   quadric_.resize(new_slots_.size() * blocks_);
   const std::vector<glm::ivec3> first = places(nodes);
 
-  double energy = matchAll(nodes, surface);
+  chooseSamples(surface);
+  findRoots();
+  has_changed_.assign(into_.size(), 1);
+  measureEdges(nodes, surface);
+  has_changed_.assign(into_.size(), 0);
+  for (uint32_t slot : new_slots_) noteChange(slot, surface);
+  double energy = match(nodes, surface);
   for (uint32_t pass = 0; pass < kPasses; ++pass) {
     const std::vector<glm::ivec3> before = places(nodes);
-    for (uint32_t slot : new_slots_) step(slot, nodes, surface);
-    const double next = matchAll(nodes, surface);
+    if (!stepAll(nodes, surface)) break;
+    const double next = match(nodes, surface);
     if (!(next < energy)) {
       putBack(before, nodes);
       break;

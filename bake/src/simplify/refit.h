@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fan.h"
+#include "nearest_face.h"
 #include "node_state.h"
 #include "placement.h"
 #include "surface.h"
@@ -36,31 +37,45 @@ class Refit {
     std::array<uint32_t, 3> vertex;
     float area;  ///< what its samples count, mean over the poses
   };
-  /// A sample, and the nearest point of the surface as shares of a face's corners.
-  struct Match {
+  struct Sample {
     const Sampled& from;
     const float* at;  ///< shares of its vertices
     float area;
     bool border;
-    uint32_t face;
-    float share[3];
   };
   struct Made {
     glm::ivec3 v{0}, d{0};
     int32_t t8 = 4;
   };
 
-  uint32_t slotOf(uint32_t vertex);
-  double matchAll(const NodeState& nodes, const Surface& surface);
-  void poseSample(const Match& match);
-  bool findNearest(const NodeState& nodes, const Surface& surface, Match& match);
-  double accumulate(const Match& match, const NodeState& nodes, const Surface& surface);
+  // Samples
+  uint32_t sampleCount() const;
+  Sample sampleAt(uint32_t index) const;
+  void chooseSamples(const Surface& surface);
+  std::array<uint32_t, 3> slotsOf(const Sample& sample) const;
+  const PosedPoint* originalAt(uint32_t vertex) const { return position_.data() + size_t{vertex} * blocks_; }
+  void poseSample(const Sample& sample, std::vector<PosedPoint>& point) const;
+  void poseNormal(const Sample& sample, std::vector<PosedPoint>& normal) const;
+
+  // Matching
+  void findRoots();
+  void measureEdges(const NodeState& nodes, const Surface& surface);
+  void noteChange(uint32_t slot, const Surface& surface);
+  double match(const NodeState& nodes, const Surface& surface);
+  void findNearest(const NodeState& nodes, const Surface& surface);
+  double accumulateAll(const NodeState& nodes, const Surface& surface);
+  void accumulateAt(uint32_t first_slot, uint32_t end_slot, const NodeState& nodes, const Surface& surface);
+  Quadric* quadricAt(uint32_t new_slot) { return quadric_.data() + size_t{new_index_[new_slot]} * blocks_; }
+
+  // Moving
+  bool stepAll(NodeState& nodes, const Surface& surface);
   bool step(uint32_t slot, NodeState& nodes, const Surface& surface);
   bool mayMove(uint32_t slot, const PosedPoint* to, const NodeState& nodes, const Surface& surface) const;
   std::vector<glm::ivec3> places(const NodeState& nodes) const;
   void putBack(const std::vector<glm::ivec3>& places, NodeState& nodes);
 
   const EdgeWeights weights_;
+  const uint32_t threads_;
   uint32_t blocks_;
   std::vector<PosedPoint> position_;  // of the original's vertices
   std::vector<Sampled> faces_, borders_;
@@ -69,10 +84,18 @@ class Refit {
   std::vector<uint8_t> is_new_;  // per slot: made since the last run
   std::vector<uint32_t> new_slots_;
 
-  std::vector<Quadric> quadric_;     // of the new slots, by new_index_
-  std::vector<uint32_t> new_index_;  // per slot
+  // During a run
+  uint32_t stride_ = 1;                // of the sampled faces
+  uint32_t per_face_ = 1;              // samples
+  std::vector<uint32_t> root_;         // per vertex: the slot it has become part of in the end
+  std::vector<EdgeLengths> lengths_;   // per face
+  std::vector<FacePoint> nearest_;     // per sample
+  std::vector<float> energy_;          // per sample
+  std::vector<uint8_t> has_changed_;      // per slot: one of its faces has, since the samples were matched
+  std::vector<uint8_t> matches_changed_;  // per slot: since its quadric was filled
+  std::vector<Quadric> quadric_;       // of the new slots, by new_index_
+  std::vector<uint32_t> new_index_;    // per slot
   std::vector<PosedPoint> trial_;
-  std::vector<PosedPoint> point_, normal_;  // of the sample at hand
   std::vector<Affine> blend_;
 };
 

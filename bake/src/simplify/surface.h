@@ -33,6 +33,7 @@ struct Face {
   uint32_t cornerOf(uint32_t slot) const {
     return corner[0] == slot ? 0 : corner[1] == slot ? 1 : corner[2] == slot ? 2 : 3;
   }
+  bool alive() const { return wedge[0] != kNone; }
   bool has(uint32_t slot) const { return cornerOf(slot) < 3; }
 };
 
