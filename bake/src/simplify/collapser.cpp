@@ -233,7 +233,7 @@ void Collapser::refit(std::vector<Collapse>& collapses) {
 
 /// The host stays what it is: neither its metric nor the refit need know.
 void Collapser::foldFaceless(std::vector<Collapse>& collapses) {
-  if (surface_.triangleCount() == 0) return;
+  if (faceless_.empty() || surface_.triangleCount() == 0) return;
   std::sort(faceless_.begin(), faceless_.end());
   faceless_.erase(std::unique(faceless_.begin(), faceless_.end()), faceless_.end());
   const std::vector<uint32_t> hosts = nearestHosts(faceless_, mesh_, nodes_, surface_);

@@ -68,7 +68,8 @@ Placement EdgePlacer::placeAtEnd(uint32_t a, uint32_t b) {
 Placement EdgePlacer::placeFreely(uint32_t a, uint32_t b) {
   const Segment segment(nodes_.positions[a], nodes_.positions[b], nodes_.placement_shift, nodes_.grid_bits);
   const bool one_skin = nodes_.skins[a] == nodes_.skins[b];
-  Placement best = bestStart(a, b, segment);
+  last_t8_ = kNoBlend;
+  Placement best = bestStart(a, b, segment, one_skin);
   // With one skin the energy is a quadratic in the position: one step is all there is to gain.
   for (uint32_t i = 0; i < (one_skin ? 1 : 2); ++i) {
     if (!step(a, b, segment, one_skin, best)) break;
@@ -76,9 +77,16 @@ Placement EdgePlacer::placeFreely(uint32_t a, uint32_t b) {
   return best;
 }
 
-Placement EdgePlacer::bestStart(uint32_t a, uint32_t b, const Segment& segment) {
+// With one skin there is one blend between the ends too.
+const Affine* EdgePlacer::blendBetween(uint32_t a, uint32_t b, int32_t t8, bool one_skin) {
+  if (last_t8_ == t8 || (one_skin && last_t8_ != kNoBlend)) return last_blend_;
+  last_t8_ = t8;
+  return last_blend_ = blendSkin(nodes_.posed, skinBetween(a, b, t8), blend_.data());
+}
+
+Placement EdgePlacer::bestStart(uint32_t a, uint32_t b, const Segment& segment, bool one_skin) {
   Placement best = placeAtEnd(a, b);
-  const Affine* blend = blendSkin(nodes_.posed, skinBetween(a, b, 4), blend_.data());
+  const Affine* blend = blendBetween(a, b, 4, one_skin);
   const glm::ivec3 middle = segment.point(4);
   const double at_middle = energyIn(glm::dvec3(middle), blend, a, trial_);
   if (at_middle <= best.cost) {
@@ -90,11 +98,11 @@ Placement EdgePlacer::bestStart(uint32_t a, uint32_t b, const Segment& segment) 
 
 bool EdgePlacer::step(uint32_t a, uint32_t b, const Segment& segment, bool one_skin, Placement& best) {
   int32_t t8 = best.t8;
-  const Affine* blend = blendSkin(nodes_.posed, skinBetween(a, b, t8), blend_.data());
+  const Affine* blend = blendBetween(a, b, t8, one_skin);
   glm::dvec3 x = minimizer(glm::dvec3(best.position), blend, a, posed);
   const int32_t moved_t8 = segment.nearestEighth(x);
   if (moved_t8 != t8 && !one_skin) {
-    blend = blendSkin(nodes_.posed, skinBetween(a, b, moved_t8), blend_.data());
+    blend = blendBetween(a, b, moved_t8, one_skin);
     transformPoint(blend, nodes_.posed.blocks, glm::vec3(x), trial_.data());
     x = minimizer(x, blend, a, trial_);
   }

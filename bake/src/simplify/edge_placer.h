@@ -49,15 +49,20 @@ class EdgePlacer {
   QuantizedSkin skinBetween(uint32_t a, uint32_t b, int32_t t8) const;
 
  private:
+  static constexpr int32_t kNoBlend = -1;
+
   double energyIn(const glm::dvec3& grid_point, const Affine* blend, uint32_t a, std::vector<PosedPoint>& result);
   glm::dvec3 minimizer(const glm::dvec3& from, const Affine* blend, uint32_t a,
                        const std::vector<PosedPoint>& at) const;
-  Placement bestStart(uint32_t a, uint32_t b, const Segment& segment);
+  Placement bestStart(uint32_t a, uint32_t b, const Segment& segment, bool one_skin);
   bool step(uint32_t a, uint32_t b, const Segment& segment, bool one_skin, Placement& best);
+  const Affine* blendBetween(uint32_t a, uint32_t b, int32_t t8, bool one_skin);
   QuantizedSkin weightStep(uint32_t a, const QuantizedSkin& start, const QuantizedSkin& skin_a,
                            const QuantizedSkin& skin_b, const glm::ivec3& position);
 
   std::vector<Affine> blend_;
+  const Affine* last_blend_ = nullptr;  // of the placement at hand
+  int32_t last_t8_ = kNoBlend;
   std::vector<PosedPoint> trial_, candidates_, best_posed_, at_;
 };
 

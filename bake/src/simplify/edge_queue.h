@@ -3,6 +3,7 @@
 // The order of the collapses: a 4-ary heap of edge ids by key, ties by id, so that the order is one on every machine.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -15,70 +16,68 @@ class EdgeQueue {
   explicit EdgeQueue(uint32_t edge_count) : key_(edge_count, 0.0), place_(edge_count, kNone) {}
 
   bool empty() const { return heap_.empty(); }
-  uint32_t top() const { return heap_.front(); }
+  uint32_t top() const { return heap_.front().edge; }
   bool contains(uint32_t edge) const { return place_[edge] != kNone; }
   double key(uint32_t edge) const { return key_[edge]; }
 
   /// Puts an edge in, or moves it to its new key.
   void set(uint32_t edge, double key) {
     key_[edge] = key;
-    if (place_[edge] == kNone) {
-      place_[edge] = static_cast<uint32_t>(heap_.size());
-      heap_.push_back(edge);
+    uint32_t place = place_[edge];
+    if (place == kNone) {
+      place = static_cast<uint32_t>(heap_.size());
+      heap_.push_back({key, edge});
     }
-    siftUp(place_[edge]);
-    siftDown(place_[edge]);
+    put({key, edge}, place);
   }
 
   void remove(uint32_t edge) {
     const uint32_t hole = place_[edge];
     if (hole == kNone) return;
     place_[edge] = kNone;
-    const uint32_t last = heap_.back();
+    const Entry last = heap_.back();
     heap_.pop_back();
-    if (last == edge) return;
-    heap_[hole] = last;
-    place_[last] = hole;
-    siftUp(hole);
-    siftDown(place_[last]);
+    if (last.edge != edge) put(last, hole);
   }
 
  private:
-  bool before(uint32_t a, uint32_t b) const { return key_[a] != key_[b] ? key_[a] < key_[b] : a < b; }
+  /// The key beside its edge: whoever compares children finds them in one line of the cache.
+  struct Entry {
+    double key;
+    uint32_t edge;
 
-  void siftUp(uint32_t place) {
-    const uint32_t edge = heap_[place];
-    for (; place > 0 && before(edge, heap_[(place - 1) / 4]); place = (place - 1) / 4) {
-      heap_[place] = heap_[(place - 1) / 4];
-      place_[heap_[place]] = place;
+    bool operator<(const Entry& other) const { return key != other.key ? key < other.key : edge < other.edge; }
+  };
+
+  /// Fills a hole with an entry, which moves up or down from there to its place.
+  void put(const Entry& entry, uint32_t hole) {
+    while (hole > 0 && entry < heap_[(hole - 1) / 4]) {
+      move((hole - 1) / 4, hole);
+      hole = (hole - 1) / 4;
     }
-    heap_[place] = edge;
-    place_[edge] = place;
+    const auto size = static_cast<uint32_t>(heap_.size());
+    for (uint32_t first; (first = 4 * hole + 1) < size;) {
+      const uint32_t end = std::min(first + 4, size);
+      uint32_t least = first;
+      for (uint32_t child = first + 1; child < end; ++child) {
+        if (heap_[child] < heap_[least]) least = child;
+      }
+      if (!(heap_[least] < entry)) break;
+      move(least, hole);
+      hole = least;
+    }
+    heap_[hole] = entry;
+    place_[entry.edge] = hole;
   }
 
-  void siftDown(uint32_t place) {
-    const uint32_t edge = heap_[place];
-    const auto size = static_cast<uint32_t>(heap_.size());
-    for (;;) {
-      const uint32_t first = 4 * place + 1;
-      if (first >= size) break;
-      const uint32_t end = first + 4 < size ? first + 4 : size;
-      uint32_t best = first;
-      for (uint32_t child = first + 1; child < end; ++child) {
-        if (before(heap_[child], heap_[best])) best = child;
-      }
-      if (!before(heap_[best], edge)) break;
-      heap_[place] = heap_[best];
-      place_[heap_[place]] = place;
-      place = best;
-    }
-    heap_[place] = edge;
-    place_[edge] = place;
+  void move(uint32_t from, uint32_t to) {
+    heap_[to] = heap_[from];
+    place_[heap_[to].edge] = to;
   }
 
   std::vector<double> key_;      // per edge
   std::vector<uint32_t> place_;  // per edge: where in the heap, or kNone
-  std::vector<uint32_t> heap_;
+  std::vector<Entry> heap_;
 };
 
 }  // namespace lithe::bake

@@ -47,12 +47,21 @@ void storeMatrix(const Mesh& mesh, const glm::dmat4& matrix, const Frame& frame,
   }
 }
 
-LITHE_KERNEL void addScaled(const Affine* matrices, uint32_t blocks, float weight, Affine* sum) {
+struct Scaled {
+  const Affine* matrices;
+  float weight;
+};
+
+LITHE_KERNEL void sumScaled(const Scaled* terms, uint32_t count, uint32_t blocks, Affine* sum) {
   for (uint32_t block = 0; block < blocks; ++block) {
-    for (uint32_t row = 0; row < 3; ++row) {
-      for (uint32_t column = 0; column < 4; ++column)
-        sum[block].m[row][column] += matrices[block].m[row][column] * weight;
+    Affine total{};
+    for (uint32_t k = 0; k < count; ++k) {
+      for (uint32_t row = 0; row < 3; ++row) {
+        for (uint32_t column = 0; column < 4; ++column)
+          total.m[row][column] += terms[k].matrices[block].m[row][column] * terms[k].weight;
+      }
     }
+    sum[block] = total;
   }
 }
 
@@ -100,10 +109,9 @@ PosedMesh poseMesh(const Mesh& mesh, const std::vector<Palette>& palettes) {
 const Affine* blendSkin(const PosedMesh& posed, const QuantizedSkin& skin, Affine* storage) {
   const auto matrices = [&](uint16_t joint) { return posed.palette.data() + size_t{joint} * posed.blocks; };
   if (skin.count == 1) return matrices(skin.joint[0]);
-  std::fill_n(storage, posed.blocks, Affine{});
-  for (uint32_t k = 0; k < skin.count; ++k) {
-    addScaled(matrices(skin.joint[k]), posed.blocks, skin.weight[k] * posed.weight_scale, storage);
-  }
+  Scaled terms[kMaxImportedInfluences];
+  for (uint32_t k = 0; k < skin.count; ++k) terms[k] = {matrices(skin.joint[k]), skin.weight[k] * posed.weight_scale};
+  sumScaled(terms, skin.count, posed.blocks, storage);
   return storage;
 }
 

@@ -28,9 +28,9 @@ glm::vec3 normalInFirstPose(const PosedMesh& posed, const Face& f) {
   return glm::cross(firstPose(posed, f.corner[1]) - origin, firstPose(posed, f.corner[2]) - origin);
 }
 
-bool foldsBack(const PosedMesh& posed, const Face& f, const Face& g) {
-  const glm::vec3 n = normalInFirstPose(posed, f), m = normalInFirstPose(posed, g);
-  return glm::dot(n, m) < kFoldCosine * std::sqrt(glm::dot(n, n) * glm::dot(m, m));
+bool foldsBack(const glm::vec3& n, const glm::vec3& m) {
+  const float cosine = glm::dot(n, m);
+  return cosine < 0.0f && cosine < kFoldCosine * std::sqrt(glm::dot(n, n) * glm::dot(m, m));
 }
 
 bool wedgesDiffer(const Face& f, const Face& g, uint32_t slot) {
@@ -65,10 +65,12 @@ bool Surface::hasEdge(uint32_t a, uint32_t b) const {
 }
 
 void Surface::classifyEdges(const PosedMesh& posed) {
+  normal_.resize(faceCount());
+  for (uint32_t id = 0; id < faceCount(); ++id) normal_[id] = normalInFirstPose(posed, faces_[id]);
   for (uint32_t id = 0; id < faceCount(); ++id) {
     for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t from = faces_[id].corner[(k + 1) % 3], to = faces_[id].corner[(k + 2) % 3];
-      faces_[id].kind[k] = kindOf(from, to, posed, at_edge_);
+      faces_[id].kind[k] = kindOf(from, to, at_edge_);
     }
   }
 }
@@ -157,28 +159,33 @@ void Surface::mergeEqualFaces(uint32_t slot) {
 }
 
 void Surface::classifyAround(uint32_t slot, const PosedMesh& posed) {
-  for (uint32_t id : facesAt(slot)) faces_[id].kind = {kUnknown, kUnknown, kUnknown};
+  for (uint32_t id : facesAt(slot)) {
+    faces_[id].kind = {kUnknown, kUnknown, kUnknown};
+    normal_[id] = normalInFirstPose(posed, faces_[id]);
+  }
   for (uint32_t id : facesAt(slot)) {
     const Face& face = faces_[id];
     for (uint32_t k = 0; k < 3; ++k) {
       if (face.kind[k] != kUnknown) continue;  // set from the triangle across the edge
-      const uint32_t from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
-      const uint8_t kind = kindOf(from, to, posed, at_edge_);
+      uint32_t from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
+      if (to == slot) std::swap(from, to);  // its own triangles are at hand
+      const uint8_t kind = kindOf(from, to, at_edge_);
       setKind(from, to, kind, at_edge_);
     }
   }
 }
 
-uint8_t Surface::kindOf(uint32_t from, uint32_t to, const PosedMesh& posed, std::vector<uint32_t>& at_edge) const {
+uint8_t Surface::kindOf(uint32_t from, uint32_t to, std::vector<uint32_t>& at_edge) const {
   at_edge.clear();
+  const std::span<const uint32_t> at_to = facesAt(to);
   for (uint32_t id : facesAt(from)) {
-    if (faces_[id].has(to)) at_edge.push_back(id);
+    if (std::find(at_to.begin(), at_to.end(), id) != at_to.end()) at_edge.push_back(id);
   }
   if (at_edge.size() == 1) return kBorder;
   if (at_edge.size() != 2) return 0;
   const Face &f = faces_[at_edge[0]], &g = faces_[at_edge[1]];
   const uint8_t seam = wedgesDiffer(f, g, from) || wedgesDiffer(f, g, to) ? kSeam : 0;
-  const uint8_t fold = foldsBack(posed, f, g) ? kFold : 0;
+  const uint8_t fold = foldsBack(normal_[at_edge[0]], normal_[at_edge[1]]) ? kFold : 0;
   return static_cast<uint8_t>(seam | fold);
 }
 

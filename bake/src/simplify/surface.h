@@ -70,11 +70,12 @@ class Surface {
  private:
   void uniteWedges(uint32_t a, uint32_t b);
   void mergeEqualFaces(uint32_t slot);
-  uint8_t kindOf(uint32_t from, uint32_t to, const PosedMesh& posed, std::vector<uint32_t>& at_edge) const;
+  uint8_t kindOf(uint32_t from, uint32_t to, std::vector<uint32_t>& at_edge) const;
   void setKind(uint32_t from, uint32_t to, uint8_t kind, const std::vector<uint32_t>& at_edge);
 
   std::vector<Face> faces_;
-  ListPool at_;  // per slot: its triangles, ascending by time of arrival
+  ListPool at_;                    // per slot: its triangles, ascending by time of arrival
+  std::vector<glm::vec3> normal_;  // per face, in the first pose, as long as twice the area
   uint32_t triangle_count_ = 0;
   std::vector<uint32_t> scratch_, at_edge_;
 };
