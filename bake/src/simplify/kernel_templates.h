@@ -72,16 +72,14 @@ LITHE_INLINE L squaredDistanceToEdge(const L& from, const L& to, const L& length
 /// To the foot point in the plane where it lies inside, else to the nearest edge.
 template <class L>
 LITHE_INLINE L squaredDistanceToFace(const FaceDistancesOf<L>& f) {
-  const L to_edges =
-      lesser(squaredDistanceToEdge(f.to[0], f.to[1], f.edge[0]),
-             lesser(squaredDistanceToEdge(f.to[0], f.to[2], f.edge[1]),
-                    squaredDistanceToEdge(f.to[1], f.to[2], f.edge[2])));
+  const L to_edges = lesser(
+      squaredDistanceToEdge(f.to[0], f.to[1], f.edge[0]),
+      lesser(squaredDistanceToEdge(f.to[0], f.to[2], f.edge[1]), squaredDistanceToEdge(f.to[1], f.to[2], f.edge[2])));
   const L bp = (f.to[0] + f.edge[0] - f.to[1]) * 0.5f, cp = (f.to[0] + f.edge[1] - f.to[2]) * 0.5f;
   const L bc = (f.edge[0] + f.edge[1] - f.edge[2]) * 0.5f;
   const L scale = positiveReciprocal(f.edge[0] * f.edge[1] - bc * bc);
   const L v = (f.edge[1] * bp - bc * cp) * scale, w = (f.edge[0] * cp - bc * bp) * scale;
-  const L to_plane =
-      f.to[0] - (v * bp + w * cp) * 2.0f + (v * v * f.edge[0] + v * w * bc * 2.0f + w * w * f.edge[1]);
+  const L to_plane = f.to[0] - (v * bp + w * cp) * 2.0f + (v * v * f.edge[0] + v * w * bc * 2.0f + w * w * f.edge[1]);
   return whereNegative(lesser(lesser(v, w), L{} + 1.0f - v - w), to_edges, lesser(to_plane, to_edges));
 }
 

@@ -48,65 +48,67 @@ EdgeLengths edgeLengths(const Face& face, const PosedMesh& posed) {
 }
 
 FaceSearch::FaceSearch(const NodeState& nodes, const Surface& surface, const std::vector<EdgeLengths>& lengths)
-    : nodes_(nodes),
-      surface_(surface),
-      lengths_(lengths),
-      index_(nodes.positions.size()),
-      stamp_(nodes.positions.size(), 0) {}
+    : nodes_(nodes), surface_(surface), lengths_(lengths), marks_(nodes.positions.size()) {}
+
+void FaceSearch::makeRoom(const std::array<uint32_t, 3>& slots) {
+  size_t faces = 0;
+  for (uint32_t slot : slots) faces += surface_.facesAt(slot).size();
+  if (faces <= candidates_.size()) return;
+  candidates_.resize(faces);
+  vertices_.resize(3 * faces);
+  distance_.resize(3 * faces);
+  batch_.resize((faces + kLanes - 1) / kLanes);
+  nearness_.resize(kLanes * batch_.size());
+}
 
 uint32_t FaceSearch::indexOf(uint32_t slot) {
-  if (stamp_[slot] != last_stamp_) {
-    stamp_[slot] = last_stamp_;
-    index_[slot] = static_cast<uint32_t>(vertices_.size());
-    vertices_.push_back(nodes_.posed.at(slot));
+  Mark& mark = marks_[slot];
+  if (mark.stamp != last_stamp_) {
+    mark = {last_stamp_, vertex_count_};
+    vertices_[vertex_count_++] = nodes_.posed.at(slot);
   }
-  return index_[slot];
+  return mark.index;
 }
 
 void FaceSearch::gather(const std::array<uint32_t, 3>& slots) {
   if (slots == slots_) return;
   slots_ = slots;
+  makeRoom(slots);
   ++last_stamp_;
-  faces_.clear();
-  corners_.clear();
-  vertices_.clear();
+  candidate_count_ = vertex_count_ = 0;
   for (uint32_t k = 0; k < 3; ++k) {
     if ((k > 0 && slots[k] == slots[0]) || (k > 1 && slots[k] == slots[1])) continue;
     for (uint32_t id : surface_.facesAt(slots[k])) {
       const Face& face = surface_.face(id);
       if ((k > 0 && face.has(slots[0])) || (k > 1 && face.has(slots[1]))) continue;
-      faces_.push_back(id);
-      corners_.push_back({indexOf(face.corner[0]), indexOf(face.corner[1]), indexOf(face.corner[2])});
+      const auto& [a, b, c] = face.corner;
+      const uint32_t i = candidate_count_++;
+      candidates_[i] = {id, {indexOf(a), indexOf(b), indexOf(c)}};
+      for (uint32_t edge = 0; edge < 3; ++edge) batch_[i / kLanes].edge[edge][i % kLanes] = lengths_[id][edge];
     }
-  }
-  distance_.resize(vertices_.size());
-  batch_.assign((faces_.size() + kLanes - 1) / kLanes, FaceDistances{});
-  nearness_.resize(kLanes * batch_.size());
-  for (uint32_t i = 0; i < faces_.size(); ++i) {
-    for (uint32_t k = 0; k < 3; ++k) batch_[i / kLanes].edge[k][i % kLanes] = lengths_[faces_[i]][k];
   }
 }
 
-FacePoint FaceSearch::pointOf(uint32_t candidate) const {
-  const auto& [a, b, c] = corners_[candidate];
+FacePoint FaceSearch::pointOf(const Candidate& candidate) const {
+  const auto& [a, b, c] = candidate.corner;
   const double pa = distance_[a], pb = distance_[b], pc = distance_[c];
-  const auto& [ab, ac, bc] = lengths_[faces_[candidate]];
+  const auto& [ab, ac, bc] = lengths_[candidate.face];
   FacePoint point;
-  point.face = faces_[candidate];
+  point.face = candidate.face;
   nearestShares({ab, 0.5 * (double{ab} + ac - bc), ac, 0.5 * (pa + ab - pb), 0.5 * (pa + ac - pc)}, point.share);
   return point;
 }
 
 FacePoint FaceSearch::nearest(const PosedPoint* point, const std::array<uint32_t, 3>& slots) {
   gather(slots);
-  if (faces_.empty()) return {};
-  squaredDistancesFrom(point, vertices_, nodes_.posed.blocks, distance_.data());
-  for (uint32_t i = 0; i < faces_.size(); ++i) {
-    for (uint32_t k = 0; k < 3; ++k) batch_[i / kLanes].to[k][i % kLanes] = distance_[corners_[i][k]];
+  if (candidate_count_ == 0) return {};
+  squaredDistancesFrom(point, {vertices_.data(), vertex_count_}, nodes_.posed.blocks, distance_.data());
+  for (uint32_t i = 0; i < candidate_count_; ++i) {
+    for (uint32_t k = 0; k < 3; ++k) batch_[i / kLanes].to[k][i % kLanes] = distance_[candidates_[i].corner[k]];
   }
-  squaredDistancesToFaces(batch_, nearness_.data());
-  const auto best = std::min_element(nearness_.begin(), nearness_.begin() + static_cast<ptrdiff_t>(faces_.size()));
-  return pointOf(static_cast<uint32_t>(best - nearness_.begin()));
+  squaredDistancesToFaces({batch_.data(), (candidate_count_ + kLanes - 1) / kLanes}, nearness_.data());
+  const float* begin = nearness_.data();
+  return pointOf(candidates_[static_cast<size_t>(std::min_element(begin, begin + candidate_count_) - begin)]);
 }
 
 }  // namespace lithe::bake

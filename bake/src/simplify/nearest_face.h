@@ -39,9 +39,18 @@ class FaceSearch {
   FacePoint nearest(const PosedPoint* point, const std::array<uint32_t, 3>& slots);
 
  private:
+  struct Candidate {
+    uint32_t face;
+    std::array<uint32_t, 3> corner;  // of vertices_
+  };
+  struct Mark {
+    uint32_t stamp = 0, index = 0;
+  };
+
+  void makeRoom(const std::array<uint32_t, 3>& slots);
   void gather(const std::array<uint32_t, 3>& slots);
   uint32_t indexOf(uint32_t slot);
-  FacePoint pointOf(uint32_t candidate) const;
+  FacePoint pointOf(const Candidate& candidate) const;
 
   const NodeState& nodes_;
   const Surface& surface_;
@@ -49,10 +58,10 @@ class FaceSearch {
 
   // What was gathered last: neighbours in a list of points have the same slots.
   std::array<uint32_t, 3> slots_{kNone, kNone, kNone};
-  std::vector<uint32_t> faces_;
-  std::vector<std::array<uint32_t, 3>> corners_;  // per face, of vertices_
+  uint32_t candidate_count_ = 0, vertex_count_ = 0;
+  std::vector<Candidate> candidates_;  // this and all below are as long as it ever took
   std::vector<const PosedPoint*> vertices_;
-  std::vector<uint32_t> index_, stamp_;  // per slot: its place in vertices_ when the stamp is the last one
+  std::vector<Mark> marks_;  // per slot: its place in vertices_ when the stamp is the last one
   uint32_t last_stamp_ = 0;
   std::vector<float> distance_;  // per vertex, to the point
   std::vector<FaceDistances> batch_;

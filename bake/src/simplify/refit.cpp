@@ -17,6 +17,7 @@ namespace {
 
 constexpr uint32_t kPasses = 3;
 constexpr uint32_t kMatchesPerTriangle = 16;  // more samples of the original say nothing new
+constexpr uint32_t kFacesPerTriangle = 3;     // with fewer faces of the original, each is sampled three times
 constexpr float kHold = 0.05f;                // of the distance itself, beside the distance to the tangent plane
 constexpr double kStay = 1e-2;                // of the trace
 constexpr float kReach = 0.25f;               // squared, of the mean squared length of the edges at a node
@@ -127,7 +128,7 @@ void Refit::merged(uint32_t a, uint32_t b, const Segment& segment, int32_t t8) {
 void Refit::chooseSamples(const Surface& surface) {
   const size_t wanted = size_t{kMatchesPerTriangle} * std::max(1u, surface.triangleCount());
   stride_ = static_cast<uint32_t>(std::max<size_t>(1, faces_.size() / wanted));
-  per_face_ = 3 * faces_.size() <= wanted ? 3 : 1;
+  per_face_ = faces_.size() < size_t{kFacesPerTriangle} * surface.triangleCount() ? 3 : 1;
   nearest_.assign(sampleCount(), FacePoint{});
   energy_.assign(sampleCount(), 0.0f);
 }
@@ -301,8 +302,7 @@ bool Refit::step(uint32_t slot, NodeState& nodes, const Surface& surface) {
   const Segment segment(made.v, made.v + made.d, nodes.placement_shift, nodes.grid_bits);
   const PosedPoint* from = nodes.posed.at(slot);
   const Affine* blend = blendSkin(nodes.posed, nodes.skins[slot], blend_.data());
-  const NormalEquations n =
-      normalEquations(quadricAt(slot), blend, from, from, blocks_);
+  const NormalEquations n = normalEquations(quadricAt(slot), blend, from, from, blocks_);
   glm::dvec3 move = solveNormalEquations(n, kStay);
   for (uint32_t trial = 0; trial < kTrials; ++trial, move *= 0.5) {
     const glm::ivec3 place = segment.snap(glm::dvec3(nodes.positions[slot]) + move, made.t8);

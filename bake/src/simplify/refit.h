@@ -85,16 +85,16 @@ class Refit {
   std::vector<uint32_t> new_slots_;
 
   // During a run
-  uint32_t stride_ = 1;                // of the sampled faces
-  uint32_t per_face_ = 1;              // samples
-  std::vector<uint32_t> root_;         // per vertex: the slot it has become part of in the end
-  std::vector<EdgeLengths> lengths_;   // per face
-  std::vector<FacePoint> nearest_;     // per sample
-  std::vector<float> energy_;          // per sample
+  uint32_t stride_ = 1;                   // of the sampled faces
+  uint32_t per_face_ = 1;                 // samples
+  std::vector<uint32_t> root_;            // per vertex: the slot it has become part of in the end
+  std::vector<EdgeLengths> lengths_;      // per face
+  std::vector<FacePoint> nearest_;        // per sample
+  std::vector<float> energy_;             // per sample
   std::vector<uint8_t> has_changed_;      // per slot: one of its faces has, since the samples were matched
   std::vector<uint8_t> matches_changed_;  // per slot: since its quadric was filled
-  std::vector<Quadric> quadric_;       // of the new slots, by new_index_
-  std::vector<uint32_t> new_index_;    // per slot
+  std::vector<Quadric> quadric_;          // of the new slots, by new_index_
+  std::vector<uint32_t> new_index_;       // per slot
   std::vector<PosedPoint> trial_;
   std::vector<Affine> blend_;
 };

@@ -106,6 +106,49 @@ TEST(Kernels, NormalEquationsMatchTheScalarSpecification) {
   }
 }
 
+TEST(Kernels, DistancesToFacesMatchTheScalarSpecification) {
+  lithe::test::Random random(8);
+  for (int run = 0; run < 50; ++run) {
+    const PosedPoint corner[3] = {randomPoint(random), randomPoint(random), randomPoint(random)};
+    const PosedPoint point = randomPoint(random);
+    const auto squared = [](const PosedPoint& a, const PosedPoint& b) { return dot(b - a, b - a); };
+    const FaceDistances face{
+        {squared(point, corner[0]), squared(point, corner[1]), squared(point, corner[2])},
+        {squared(corner[0], corner[1]), squared(corner[0], corner[2]), squared(corner[1], corner[2])}};
+    FaceDistancesOf<ScalarLanes> expected;
+    for (uint32_t k = 0; k < 3; ++k) {
+      expected.to[k] = scalar(face.to[k]);
+      expected.edge[k] = scalar(face.edge[k]);
+    }
+    Lanes found;
+    float stored[kLanes];
+    squaredDistancesToFaces({&face, 1}, stored);
+    std::memcpy(&found, stored, sizeof found);
+    expectSameBits(found, squaredDistanceToFace(expected));
+  }
+}
+
+TEST(Kernels, DistancesToAFaceAreThoseToItsInsideEdgesAndCorners) {
+  const PosedPoint corner[3] = {samePoint(0, 0, 0), samePoint(4, 0, 0), samePoint(0, 4, 0)};
+  const auto distanceFrom = [&](const PosedPoint& point) {
+    const PosedPoint* corners[3] = {&corner[0], &corner[1], &corner[2]};
+    float to[3], edge[3] = {16.0f, 16.0f, 32.0f}, result[kLanes];
+    squaredDistancesFrom(&point, corners, 1, to);
+    FaceDistances face;
+    for (uint32_t k = 0; k < 3; ++k) {
+      face.to[k] = Lanes{} + to[k] / kLanes;
+      face.edge[k] = Lanes{} + edge[k];
+    }
+    squaredDistancesToFaces({&face, 1}, result);
+    return result[0];
+  };
+  EXPECT_NEAR(distanceFrom(samePoint(1, 1, 2)), 4.0f, 1e-4f);     // inside
+  EXPECT_NEAR(distanceFrom(samePoint(2, -3, 0)), 9.0f, 1e-4f);    // an edge at corner 0
+  EXPECT_NEAR(distanceFrom(samePoint(3, 3, 0)), 2.0f, 1e-4f);     // the edge opposite
+  EXPECT_NEAR(distanceFrom(samePoint(-3, -4, 0)), 25.0f, 1e-4f);  // corner 0
+  EXPECT_NEAR(distanceFrom(samePoint(5, -1, 1)), 3.0f, 1e-4f);    // corner 1
+}
+
 TEST(Kernels, AFaceCountsAThirdOfItsAreaAtEachCorner) {
   // Corners (0,0), (2,0), (0,3): area 3, in the plane z = 0.
   const PosedPoint a = samePoint(0, 0, 0), b = samePoint(2, 0, 0), c = samePoint(0, 3, 0);
