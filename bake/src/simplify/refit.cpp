@@ -97,6 +97,7 @@ Refit::Refit(const NodeState& nodes, const Surface& surface, const SimplifyOptio
   new_index_.resize(count);
   root_.resize(count);
   lengths_.resize(surface.faceCount());
+  face_concerns_.resize(surface.faceCount());
   trial_.resize(blocks_);
   blend_.resize(blocks_);
   const float poses = static_cast<float>(nodes.posed.pose_count);
@@ -232,8 +233,19 @@ void Refit::findNearest(const NodeState& nodes, const Surface& surface) {
   });
 }
 
+// One byte per face is at hand for every sample; the corners' are all over the memory.
+void Refit::noteFaces(const Surface& surface) {
+  inParallel(surface.faceCount(), threads_, [&](uint32_t begin, uint32_t end) {
+    for (uint32_t id = begin; id < end; ++id) {
+      const auto& [a, b, c] = surface.face(id).corner;
+      face_concerns_[id] = matches_changed_[a] || matches_changed_[b] || matches_changed_[c];
+    }
+  });
+}
+
 // Brings the quadrics of the new slots up to date; returns the energy of the surface as it is.
 double Refit::accumulateAll(const NodeState& nodes, const Surface& surface) {
+  noteFaces(surface);
   inParallel(static_cast<uint32_t>(into_.size()), threads_, [&](uint32_t begin, uint32_t end) {
     for (uint32_t slot = begin; slot < end; ++slot) {
       if (is_new_[slot] && matches_changed_[slot]) std::fill_n(quadricAt(slot), blocks_, Quadric{});
@@ -252,7 +264,7 @@ void Refit::accumulateAt(uint32_t first_slot, uint32_t end_slot, const NodeState
   std::vector<PosedPoint> point(blocks_), normal(blocks_);
   const Sampled* normal_of = nullptr;
   for (uint32_t i = 0; i < nearest_.size(); ++i) {
-    if (nearest_[i].face == kNone) continue;
+    if (nearest_[i].face == kNone || !face_concerns_[nearest_[i].face]) continue;
     const auto& corner = surface.face(nearest_[i].face).corner;
     if (std::none_of(corner.begin(), corner.end(), concerns)) continue;
 

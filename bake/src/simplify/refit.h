@@ -64,6 +64,7 @@ class Refit {
   double match(const NodeState& nodes, const Surface& surface);
   void findNearest(const NodeState& nodes, const Surface& surface);
   double accumulateAll(const NodeState& nodes, const Surface& surface);
+  void noteFaces(const Surface& surface);
   void accumulateAt(uint32_t first_slot, uint32_t end_slot, const NodeState& nodes, const Surface& surface);
   Quadric* quadricAt(uint32_t new_slot) { return quadric_.data() + size_t{new_index_[new_slot]} * blocks_; }
 
@@ -93,6 +94,7 @@ class Refit {
   std::vector<float> energy_;             // per sample
   std::vector<uint8_t> has_changed_;      // per slot: one of its faces has, since the samples were matched
   std::vector<uint8_t> matches_changed_;  // per slot: since its quadric was filled
+  std::vector<uint8_t> face_concerns_;    // per face: the matches of one of its corners have changed
   std::vector<Quadric> quadric_;          // of the new slots, by new_index_
   std::vector<uint32_t> new_index_;       // per slot
   std::vector<PosedPoint> trial_;
