@@ -22,11 +22,12 @@ differ() { if cmp -s "$1.lithe" "$2.lithe"; then complain "$1 and $2 have the sa
 bakes plain --poses 4
 is plain.json poses 4
 is plain.json weight_bits 9
-for metric in rest dsd pose-independent; do
+for metric in rest dsd pose-independent dod; do
   bakes "$metric" --poses 4 --metric $metric
   differ plain $metric
 done
 bakes articulated --poses 4 --metric articulated
+differ dsd dod
 cmp plain.lithe articulated.lithe || complain "articulated is not the default metric"
 bakes as_collapsed --poses 4 --no-refit
 differ plain as_collapsed

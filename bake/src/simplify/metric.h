@@ -52,6 +52,7 @@ std::vector<std::vector<glm::dmat4>> palettesOf(const std::string& metric, const
 std::unique_ptr<Metric> makeArticulatedMetric(const MetricInput& input);
 std::unique_ptr<Metric> makeAccumulatedMetric(const MetricInput& input, bool ends_only);
 std::unique_ptr<Metric> makePoseIndependentMetric(const MetricInput& input);
+std::unique_ptr<Metric> makeDeformationMetric(const MetricInput& input);
 
 /// By input.options.metric. Throws Error, listing the names, when there is none of that name.
 std::unique_ptr<Metric> makeMetric(const MetricInput& input);

@@ -20,6 +20,7 @@ constexpr Entry kMetrics[] = {
     {"rest", false, [](const MetricInput& input) { return makeAccumulatedMetric(input, false); }},
     {"dsd", true, [](const MetricInput& input) { return makeAccumulatedMetric(input, true); }},
     {"pose-independent", true, makePoseIndependentMetric},
+    {"dod", true, makeDeformationMetric},
 };
 
 const Entry& find(const std::string& name) {

@@ -12,12 +12,22 @@
 namespace lithe::bake {
 
 struct SimplifyOptions {
-  /// How a collapse is judged; see metricNames().
+  /// How a collapse is judged; see metricNames(). Quadrics are weighted by area in all of them, where the papers of
+  /// articulated, dsd, pose-independent and rest sum planes of equal weight; and all have planes along borders, seams
+  /// and folds.
   /// articulated       example poses, a quadric each: position optimised for all of them, weights where that pays
-  ///                   (Landreneau and Schaefer 2009; quadrics of the current surface, guarded by accumulated ones)
-  /// rest              the bind pose only (Garland and Heckbert 1997)
-  /// dsd               a quadric per pose, end points only (Mohr and Gleicher 2003)
-  /// pose-independent  one quadric per vertex, pulled back from the poses (DeCoro and Rusinkiewicz 2005)
+  ///                   (Landreneau and Schaefer 2009; quadrics of the current surface, guarded by accumulated ones;
+  ///                   weights stay on the simplex)
+  /// rest              the bind pose only, the best position (Garland and Heckbert 1997)
+  /// dsd               a quadric per pose, end points only, each with its own skin (Mohr and Gleicher 2003, as
+  ///                   Landreneau and Schaefer describe it)
+  /// pose-independent  one quadric per vertex, pulled back from the poses through the vertex's own matrices; the best
+  ///                   position in the bind pose, interpolated weights (DeCoro and Rusinkiewicz 2005, as Landreneau and
+  ///                   Schaefer describe it)
+  /// dod               dsd, and what edges cost that change their length over the poses: the largest change over its
+  ///                   standard deviation, times the area at the edge, times the squared mean change (Huang, Chen and
+  ///                   Chuang 2006). The sum, the area and the standard deviation are the paper's; the product, and
+  ///                   changes taken from the mean length, are a reconstruction in consistent units.
   std::string metric = "articulated";
   uint32_t placement_shift = 4;  ///< of format::latticeStep: how finely parents are placed; 31 = every grid point
   uint32_t threads = 0;          ///< 0 = as many as the machine has; the result does not depend on it
