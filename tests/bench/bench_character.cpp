@@ -33,8 +33,8 @@ std::string characterName(const fs::path& path) {
 /// assetgen's files are corner cases of a few triangles, no characters; column.glb is the built-in one.
 bool isCharacterFile(const fs::path& path) {
   const fs::path extension = path.extension();
-  return (extension == ".glb" || extension == ".gltf") && path.parent_path().filename() != "assetgen" &&
-         !isBuiltIn(path.stem().string());
+  return (extension == ".glb" || extension == ".gltf") &&
+         std::find(path.begin(), path.end(), "assetgen") == path.end() && !isBuiltIn(path.stem().string());
 }
 
 std::vector<std::string> sharedCharacters() {
@@ -78,13 +78,16 @@ int runOverCharacters(int argc, char** argv, const std::string& usage,
   return 1;
 }
 
+Source loadCharacter(const std::string& name_or_path) {
+  if (isBuiltIn(name_or_path)) return {name_or_path, bake::generate(name_or_path)};
+  return {characterName(name_or_path), bake::importGltf(name_or_path)};
+}
+
 Character bakeCharacter(const std::string& name_or_path) {
-  Character character;
-  const bool built_in = isBuiltIn(name_or_path);
-  character.name = built_in ? name_or_path : characterName(name_or_path);
-  std::fprintf(stderr, "baking %s\n", character.name.c_str());
-  const bake::Model model = built_in ? bake::generate(name_or_path) : bake::importGltf(name_or_path);
-  character.bytes = bake::bake(model, {}, &character.report);
+  const Source source = loadCharacter(name_or_path);
+  std::fprintf(stderr, "baking %s\n", source.name.c_str());
+  Character character{source.name, {}, {}};
+  character.bytes = bake::bake(source.model, {}, &character.report);
   return character;
 }
 

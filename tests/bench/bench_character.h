@@ -21,6 +21,15 @@ std::vector<std::string> defaultCharacters();
 int runOverCharacters(int argc, char** argv, const std::string& usage,
                       void (*bench)(const std::vector<std::string>& names, bool json));
 
+struct Source {
+  std::string name;  ///< a built-in name, or the file's without its extension
+  bake::Model model;
+};
+
+/// A built-in character, by its name, or a glTF file, by its path. @throws bake::Error for what generate() and
+/// importGltf() throw
+Source loadCharacter(const std::string& name_or_path);
+
 struct Character {
   std::string name;            ///< a built-in name, or the file's without its extension
   std::vector<uint8_t> bytes;  ///< of the .lithe file

@@ -96,6 +96,7 @@ TEST(SlowQuality, ColumnBeatsTheOtherMetrics) {
   const double articulated = error("articulated");
   EXPECT_LT(articulated, 0.4e-4);
   EXPECT_LT(articulated, 0.95 * error("dsd"));
+  EXPECT_LT(articulated, 0.95 * error("dod"));
   EXPECT_LT(articulated, 0.6 * error("pose-independent"));
   EXPECT_LT(articulated, 0.3 * error("rest"));
 }
