@@ -104,7 +104,7 @@ void printSeconds(const std::vector<std::string>& names) {
 // ---- Influence caps
 
 constexpr uint32_t kCaps[] = {1, 2, 4, 8};
-constexpr double kShares[] = {0.2, 0.05};
+constexpr double kShares[] = {1.0, 0.2, 0.05};
 constexpr double kAllowedLoss = 3.0;  // per cent of four influences against eight, the most the file can hold
 
 uint32_t mostInfluences(const bake::Model& model) {

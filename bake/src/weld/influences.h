@@ -9,7 +9,8 @@
 
 namespace lithe::bake {
 
-// The `max_influences` largest weights of a skin, refitted over the poses if more existed, quantised to `weight_one`.
+// A skin with at most `max_influences` weights, quantised to `weight_one`. Of more, those are kept that, refitted, put
+// the vertex closest to where it was in the poses; without poses the largest.
 QuantizedSkin capAndQuantize(const Model& model, const std::vector<Pose>& poses, uint32_t vertex,
                              uint32_t max_influences, uint32_t weight_one);
 

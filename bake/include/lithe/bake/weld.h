@@ -24,10 +24,10 @@ struct WeldOptions {
 /// Vertices are welded when their original positions lie within 1e-6 of the bounding box's diagonal of each other AND
 /// the L1 difference of their weights is below 0.02 AND they belong to the same rigid node (or both to none). A welded
 /// vertex has the position and the skin of the first of its source vertices. Vertices that only share a grid point stay
-/// apart. Skins with more influences than the cap keep the largest, refitted in the least-squares sense to where
-/// `poses` put the vertex. Wedges are numbered in the order of their first use by a triangle; vertices in the order of
-/// their wedges. Normals and tangents go to the octahedral grid point whose direction is closest in angle among the
-/// rounding neighbours.
+/// apart. Skins with more influences than the cap keep those that, refitted, come closest in the least-squares sense to
+/// where `poses` put the vertex; the largest without poses. Wedges are numbered in the order of their first use by a
+/// triangle; vertices in the order of their wedges. Normals and tangents go to the octahedral grid point whose
+/// direction is closest in angle among the rounding neighbours.
 ///
 /// @param poses     palettes per model.joints; used for refitting only, may be empty
 /// @param warnings  one sentence is appended per kind of loss: degenerate and duplicate triangles, capped influences

@@ -201,6 +201,26 @@ TEST(Weld, CapsInfluencesAndRefitsThemToThePoses) {
   EXPECT_EQ(skin.weight[0] + skin.weight[1] + skin.weight[2] + skin.weight[3], 255);
 }
 
+TEST(Weld, KeepsTheInfluencesThatMoveTheVertexNotTheLargest) {
+  Model model = unindexedSquare();
+  // Joint 1 moves as joint 0 does: joints 0 and 2 say all, three quarters and a quarter; the two largest cannot.
+  for (Skin& skin : model.skins) skin = skinOf({{0, 0.4f}, {1, 0.35f}, {2, 0.25f}});
+  std::vector<Pose> poses(3);
+  for (size_t p = 0; p < poses.size(); ++p) {
+    poses[p].palette.assign(8, glm::dmat4(1.0));
+    poses[p].palette[2][3] = glm::dvec4(1.0 + p, 2.0 * p, 0.0, 1.0);
+  }
+  WeldOptions options;
+  options.max_influences = 2;
+  std::vector<std::string> warnings;
+  const QuantizedSkin skin = weld(model, poses, options, warnings).skins[0];
+  ASSERT_EQ(skin.count, 2);
+  EXPECT_EQ(skin.joint[0], 0);
+  EXPECT_EQ(skin.joint[1], 2);
+  EXPECT_EQ(skin.weight[0], 191);  // .75 of 255
+  EXPECT_EQ(skin.weight[1], 64);
+}
+
 TEST(Weld, RefusesOptionsOutOfTheirLimitsAndEmptyMeshes) {
   WeldOptions options;
   options.max_influences = 9;
