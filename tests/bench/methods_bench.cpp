@@ -143,7 +143,7 @@ void printCaps(const std::vector<std::string>& names) {
     for (size_t share = 0; share < std::size(kShares); ++share) {
       std::printf("| %s | %u | %g %% |", source.name.c_str(), mostInfluences(source.model), 100.0 * kShares[share]);
       for (const double value : rms[share]) std::printf(" %.4f |", 1e4 * value);
-      const double loss = 100.0 * (rms[share][2] / rms[share][3] - 1.0);
+      const double loss = std::round(1000.0 * (rms[share][2] / rms[share][3] - 1.0)) / 10.0 + 0.0;  // no -0.0
       std::printf(" %.1f %% | %g %% | %s |\n", loss, kAllowedLoss, loss <= kAllowedLoss ? "pass" : "over");
       std::fflush(stdout);
     }
