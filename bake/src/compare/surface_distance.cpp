@@ -29,17 +29,30 @@ SurfaceDistance summarizeDistances(std::vector<double>& distances) {
   return result;
 }
 
-double largestVertexDistance(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
-                             const TriangleTree& tree, double at_least) {
+double farthestVertex(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
+                      const TriangleTree& tree, double at_least, const TrianglesNear& near) {
   std::vector<bool> seen(positions.size(), false);
   double largest2 = at_least * at_least;
   uint32_t hint = 0;
+  // Any triangle bounds the distance from above: no search where that cannot raise the maximum.
+  const auto isWithin = [&](uint32_t vertex) {
+    double least2 = tree.distance2(positions[vertex], hint);
+    if (least2 <= largest2 || !near) return least2 <= largest2;
+    for (const uint32_t triangle : near(vertex)) {
+      const double distance2 = tree.distance2(positions[vertex], triangle);
+      if (distance2 <= largest2) return true;
+      if (distance2 < least2) {
+        least2 = distance2;
+        hint = triangle;
+      }
+    }
+    return false;
+  };
   for (const Triangle& triangle : triangles) {
     for (const uint32_t vertex : triangle) {
       if (seen[vertex]) continue;
       seen[vertex] = true;
-      // The hint's distance bounds the vertex's from above: no search where it cannot raise the maximum.
-      if (tree.distance2(positions[vertex], hint) <= largest2) continue;
+      if (isWithin(vertex)) continue;
       const NearestPoint nearest = tree.nearest(positions[vertex], hint);
       hint = nearest.triangle;
       largest2 = std::max(largest2, nearest.distance2);
@@ -48,19 +61,43 @@ double largestVertexDistance(std::span<const glm::dvec3> positions, std::span<co
   return std::max(at_least, std::sqrt(largest2));
 }
 
-SurfaceDistance surfaceDistance(std::span<const glm::dvec3> positions_a, std::span<const Triangle> triangles_a,
-                                const TriangleTree& tree_b, uint32_t samples, uint64_t seed) {
+namespace {
+
+uint32_t nearestOf(std::span<const uint32_t> triangles, const glm::dvec3& point, const TriangleTree& tree,
+                   uint32_t best) {
+  double least2 = tree.distance2(point, best);
+  for (const uint32_t triangle : triangles) {
+    const double distance2 = tree.distance2(point, triangle);
+    if (distance2 >= least2) continue;
+    least2 = distance2;
+    best = triangle;
+  }
+  return best;
+}
+
+}  // namespace
+
+SurfaceDistance sampledDistance(std::span<const glm::dvec3> positions_a, std::span<const Triangle> triangles_a,
+                                const TriangleTree& tree_b, uint32_t samples, uint64_t seed,
+                                const TrianglesNear& near) {
   std::vector<double> distances;
   distances.reserve(samples);
-  uint32_t hint = kNone;
+  uint32_t hint = 0;
   for (const SurfaceSample& sample : sampleSurface(positions_a, triangles_a, samples, seed)) {
     const glm::dvec3 point = pointOf(positions_a, triangles_a[sample.triangle], sample.barycentric);
+    if (near)
+      hint = nearestOf(near(triangles_a[sample.triangle][largestShare(sample.barycentric)]), point, tree_b, hint);
     const NearestPoint nearest = tree_b.nearest(point, hint);
     hint = nearest.triangle;
     distances.push_back(std::sqrt(nearest.distance2));
   }
-  SurfaceDistance result = summarizeDistances(distances);
-  result.max = largestVertexDistance(positions_a, triangles_a, tree_b, result.max);
+  return summarizeDistances(distances);
+}
+
+SurfaceDistance surfaceDistance(std::span<const glm::dvec3> positions_a, std::span<const Triangle> triangles_a,
+                                const TriangleTree& tree_b, uint32_t samples, uint64_t seed) {
+  SurfaceDistance result = sampledDistance(positions_a, triangles_a, tree_b, samples, seed);
+  result.max = farthestVertex(positions_a, triangles_a, tree_b, result.max);
   return result;
 }
 

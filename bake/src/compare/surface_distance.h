@@ -15,10 +15,6 @@ SurfaceDistance summarizeDistances(std::vector<double>& distances);
 /// The value that `share` (0..1) of the values are at most as large as. Reorders `values`, which must not be empty.
 double percentile(std::vector<double>& values, double share);
 
-/// The largest distance from any vertex that a triangle uses to the tree's mesh, or `at_least` if that is larger.
-double largestVertexDistance(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
-                             const TriangleTree& tree, double at_least);
-
 inline glm::dvec3 pointOf(std::span<const glm::dvec3> positions, const Triangle& triangle,
                           const glm::dvec3& barycentric) {
   return positions[triangle[0]] * barycentric.x + positions[triangle[1]] * barycentric.y +

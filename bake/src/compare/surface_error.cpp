@@ -86,7 +86,7 @@ SurfaceError surfaceError(const SearchableSurface& from, const SearchableSurface
   }
   const SurfaceDistance distance = summarizeDistances(distances);
   SurfaceError result{distance.rms, distance.mean, distance.max, distance.p999};
-  result.max = largestVertexDistance(from.posed.positions, from.surface.triangles, to.tree, distance.max);
+  result.max = farthestVertex(from.posed.positions, from.surface.triangles, to.tree, distance.max);
   result.normal_degrees = glm::degrees(rootMeanSquare(angles));
   result.flipped = static_cast<double>(flipped) / samples;
   if (with_uv) {

@@ -185,6 +185,25 @@ TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<cons
   }
 }
 
+void TriangleTree::move(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles) {
+  for (size_t entry = 0; entry < order_.size(); ++entry) {
+    const Triangle& t = triangles[order_[entry]];
+    corners_[entry] = {positions[t[0]], positions[t[1]], positions[t[2]]};
+  }
+  // Children come behind their parent.
+  for (size_t i = nodes_.size(); i-- > 0;) {
+    Node& node = nodes_[i];
+    Box box;
+    for (uint32_t entry = node.first; entry < node.first + node.count; ++entry)
+      for (const glm::dvec3& corner : {corners_[entry].a, corners_[entry].b, corners_[entry].c}) box.add(corner);
+    if (node.count == 0)
+      for (uint32_t child = node.first; child < node.first + 2; ++child)
+        box.add(Box{nodes_[child].low, nodes_[child].high});
+    node.low = box.low;
+    node.high = box.high;
+  }
+}
+
 /// Calls visit(leaf entry) for the triangles of every leaf whose box is within bound2, nearer boxes first; visit may
 /// lower bound2.
 template <typename Visit>

@@ -15,7 +15,7 @@ namespace lithe::bake {
 std::vector<LevelPlan> planLevels(const CollapseSequence& sequence, const Mesh& mesh,
                                   const std::vector<double>& shares);
 
-/// Measures every level against the original in some of the example poses, both directions, from samples and all
+/// Measures every level against the original in up to 8 of the example poses, both directions, from samples and all
 /// vertices: error is the largest distance found, error_rms the largest root mean square of a pose. Errors are made
 /// monotone: a coarser level never states less than a finer one.
 void measureLevels(const Model& model, const Mesh& mesh, const CollapseSequence& sequence,

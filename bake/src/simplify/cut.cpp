@@ -24,16 +24,6 @@ Model skeletonOf(const Model& original, const Mesh& mesh) {
   return model;
 }
 
-Skin toFloats(const QuantizedSkin& quantized, uint32_t weight_one) {
-  Skin skin;
-  skin.count = quantized.count;
-  for (uint32_t k = 0; k < quantized.count; ++k) {
-    skin.joint[k] = quantized.joint[k];
-    skin.weight[k] = static_cast<float>(quantized.weight[k] / double(weight_one));
-  }
-  return skin;
-}
-
 /// The nodes' corners of a triangle from the smallest on: equal for equal triangles of equal orientation.
 std::array<uint32_t, 3> orientedNodes(const ReplayFace& face) {
   std::array<uint32_t, 3> nodes = face.node;
@@ -60,6 +50,16 @@ void appendVertex(const Mesh& mesh, const CollapseSequence& sequence, const Wedg
 }
 
 }  // namespace
+
+Skin toFloats(const QuantizedSkin& quantized, uint32_t weight_one) {
+  Skin skin;
+  skin.count = quantized.count;
+  for (uint32_t k = 0; k < quantized.count; ++k) {
+    skin.joint[k] = quantized.joint[k];
+    skin.weight[k] = static_cast<float>(quantized.weight[k] / double(weight_one));
+  }
+  return skin;
+}
 
 uint32_t collapsesToReach(const CollapseSequence& sequence, const Mesh& mesh, uint32_t triangles) {
   if (mesh.triangleCount() <= triangles) return 0;

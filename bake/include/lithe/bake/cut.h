@@ -13,6 +13,10 @@ namespace lithe::bake {
 /// of them if none does.
 uint32_t collapsesToReach(const CollapseSequence& sequence, const Mesh& mesh, uint32_t triangles);
 
+/// Influences as a reader's floats.
+/// @param weight_one  Mesh::weight_one
+Skin toFloats(const QuantizedSkin& quantized, uint32_t weight_one);
+
 /// The mesh after collapsesToReach() collapses, dequantised; skeleton, parts, materials and clips are the original's.
 ///
 /// Wedges: when a triangle dies because two of its corners became one node, the wedges at these corners become one,

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -30,6 +31,10 @@ class TriangleTree {
   /// @param triangles  at least one, every index < positions.size(); every position finite (else the answers are
   /// unspecified)
   TriangleTree(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
+
+  /// The same triangles elsewhere, in linear time: the tree keeps its shape, so queries stay exact but take longer the
+  /// less the places resemble those it was built for. A character in another pose is no great change.
+  void move(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles);
 
   /// The nearest point; of equally near triangles the one with the lowest index.
   /// @param hint  a triangle believed to be near (for example the last answer), kNone for none: saves time. It changes
@@ -65,6 +70,11 @@ class TriangleTree {
   std::vector<uint32_t> entry_of_;  ///< triangle -> leaf entry
 };
 
+/// The corner that a point of a triangle is nearest to, by its barycentric coordinates; of equal ones the first.
+inline int largestShare(const glm::dvec3& barycentric) {
+  return barycentric.x >= barycentric.y && barycentric.x >= barycentric.z ? 0 : barycentric.y >= barycentric.z ? 1 : 2;
+}
+
 /// A point of a surface.
 struct SurfaceSample {
   uint32_t triangle = 0;
@@ -81,8 +91,8 @@ std::vector<SurfaceSample> sampleSurface(std::span<const glm::dvec3> positions, 
 struct SurfaceDistance {
   double rms = 0.0;
   double mean = 0.0;
-  double max =
-      0.0;  ///< over the samples and all vertices that a triangle uses: the one-sided Hausdorff distance, from below
+  double max = 0.0;   ///< surfaceDistance(): over the samples and all vertices that a triangle uses, which is the
+                      ///< one-sided Hausdorff distance from below; sampledDistance(): over the samples
   double p999 = 0.0;  ///< 99.9 % of the samples are at most this far
 };
 
@@ -96,6 +106,19 @@ SurfaceDistance surfaceDistance(std::span<const glm::dvec3> positions_a, std::sp
 /// The same with B's tree already built, for measuring several surfaces against one.
 SurfaceDistance surfaceDistance(std::span<const glm::dvec3> positions_a, std::span<const Triangle> triangles_a,
                                 const TriangleTree& tree_b, uint32_t samples, uint64_t seed);
+
+/// Per vertex: triangles of another mesh that are likely to be near it. Good ones save time, bad ones change nothing.
+using TrianglesNear = std::function<std::span<const uint32_t>(uint32_t vertex)>;
+
+/// surfaceDistance() from the samples alone.
+SurfaceDistance sampledDistance(std::span<const glm::dvec3> positions_a, std::span<const Triangle> triangles_a,
+                                const TriangleTree& tree_b, uint32_t samples, uint64_t seed,
+                                const TrianglesNear& near = {});
+
+/// The largest distance from a vertex that a triangle uses to the tree's mesh, or `at_least` if that is larger.
+/// Vertices that a triangle named by `near` shows to be no farther than the largest so far are not searched for.
+double farthestVertex(std::span<const glm::dvec3> positions, std::span<const Triangle> triangles,
+                      const TriangleTree& tree, double at_least, const TrianglesNear& near = {});
 
 /// Both directions, and member by member the larger of the two: the convention of Metro (Cignoni, Rocchini and Scopigno
 /// 1998).

@@ -127,6 +127,39 @@ TEST(TriangleTree, ManyEqualTrianglesBuildAndTieToTheFirst) {
   EXPECT_EQ(tree.nearest({0.9, 0.1, 1.0}).triangle, 0u);
 }
 
+TEST(TriangleTree, MovedItAnswersAsOneBuiltThere) {
+  const Shape soup = randomSoup(800, 12);
+  TriangleTree moved(soup.positions, soup.triangles);
+  Shape bent = soup;
+  for (glm::dvec3& p : bent.positions) p = {p.x + 0.4 * p.z * p.z, 1.5 * p.y, p.z - 0.3 * p.x};
+  moved.move(bent.positions, bent.triangles);
+  const TriangleTree built(bent.positions, bent.triangles);
+  std::mt19937_64 random(13);
+  for (int i = 0; i < 300; ++i) {
+    const glm::dvec3 query = randomPoint(random, 1.5);
+    EXPECT_EQ(moved.nearest(query).distance2, built.nearest(query).distance2);
+    EXPECT_EQ(moved.nearest(query).triangle, built.nearest(query).triangle);
+  }
+}
+
+TEST(FarthestVertex, DoesNotDependOnWhatIsSaidToBeNear) {
+  const Shape a = randomSoup(400, 31), b = randomSoup(400, 32);
+  const TriangleTree tree(b.positions, b.triangles);
+  double largest2 = 0.0;
+  for (const Triangle& t : a.triangles)
+    for (const uint32_t vertex : t) largest2 = std::max(largest2, tree.nearest(a.positions[vertex]).distance2);
+  const double expected = std::sqrt(largest2);
+  EXPECT_EQ(farthestVertex(a.positions, a.triangles, tree, 0.0), expected);
+  const std::vector<uint32_t> some{3, 99, 17, 300};
+  const auto bad = [&](uint32_t vertex) { return std::span<const uint32_t>(some).subspan(vertex % 4); };
+  EXPECT_EQ(farthestVertex(a.positions, a.triangles, tree, 0.0, bad), expected);
+  const auto none = [](uint32_t) { return std::span<const uint32_t>(); };
+  EXPECT_EQ(farthestVertex(a.positions, a.triangles, tree, 0.5 * expected, none), expected);
+  EXPECT_EQ(farthestVertex(a.positions, a.triangles, tree, 2.0 * expected, bad), 2.0 * expected);
+  EXPECT_EQ(sampledDistance(a.positions, a.triangles, tree, 500, 3, bad).rms,
+            sampledDistance(a.positions, a.triangles, tree, 500, 3).rms);
+}
+
 TEST(SurfaceSampling, FollowsTheArea) {
   Shape shape = square(1.0, 0.0, 1);  // one large triangle pair, and one pair of a quarter of the area
   const Shape small = square(0.5, 1.0, 1);

@@ -138,6 +138,43 @@ TEST(MeasureLevels, TheErrorCoversEveryVertexInEveryPose) {
   }
 }
 
+// What the measure skips, moves along and guesses must not show: the same from a tree of its own for every surface.
+TEST(MeasureLevels, TheErrorIsThatOfTheWholeSearch) {
+  const Measured& m = measured();
+  double least = 0.0, least_rms = 0.0;
+  for (size_t i = m.levels.size(); i-- > 0;) {
+    const uint32_t collapses = m.levels[i].collapses;
+    const uint32_t triangles = collapses ? m.sequence.collapses[collapses - 1].triangles : m.mesh.triangleCount();
+    const Model cut = cutToModel(m.model, m.mesh, m.sequence, triangles);
+    for (const Pose& pose : m.poses) {
+      const auto original = skinPositions(m.model, pose), posed = skinPositions(cut, pose);
+      const SurfaceDistance forth = surfaceDistance(original, m.model.triangles, posed, cut.triangles, 2000, i);
+      const SurfaceDistance back = surfaceDistance(posed, cut.triangles, original, m.model.triangles, 2000, i);
+      least = std::max({least, forth.max, back.max});
+      least_rms = std::max({least_rms, forth.rms, back.rms});
+    }
+    EXPECT_DOUBLE_EQ(m.levels[i].error, least) << i;
+    EXPECT_DOUBLE_EQ(m.levels[i].error_rms, least_rms) << i;
+  }
+}
+
+TEST(MeasureLevels, LooksAtTheFirstPosesAndAtOthersSpreadOverTheRest) {
+  const Measured& m = measured();
+  const auto coarsest = [&](const std::vector<Pose>& poses) {
+    std::vector<LevelPlan> levels = {{m.levels[0].collapses, 0.0, 0.0}, {0, 0.0, 0.0}};
+    measureLevels(m.model, m.mesh, m.sequence, poses, 1, levels, {});
+    return levels[0].error;
+  };
+  const Pose rest = m.poses[0], bent = m.poses[2];
+  std::vector<Pose> poses(20, rest);
+  const double still = coarsest(poses);
+  for (const size_t seen : {0, 3, 4, 8, 12, 16}) {
+    poses.assign(20, rest);
+    poses[seen] = bent;
+    EXPECT_GT(coarsest(poses), still) << seen;
+  }
+}
+
 TEST(MeasureLevels, SameOnAnyNumberOfThreads) {
   const Measured& m = measured();
   std::vector<LevelPlan> alone = m.levels;
