@@ -80,8 +80,20 @@ cmp plain.lithe threads.lithe || complain "the bytes depend on the number of thr
 answers 0 '"weight_bits": 9' bake "$small" -o stdout.lithe --poses 4 --json -
 
 # ---- verify, export, generate --------------------------------------------------------------------------------------
-answers 0 "measured rms" verify plain.lithe --against "$small"
-answers 0 '"measured"' verify plain.lithe --against "$small" --json
+# What is stated holds in other poses when the bake has seen the default number of them.
+answers 0 "" bake "$small" -o default.lithe --quiet
+answers 0 "measured rms" verify default.lithe --against "$small"
+answers 0 '"measured"' verify default.lithe --against "$small" --json --anim test --frames 1
+cp out one_frame.json
+answers 0 "" verify default.lithe --against "$small" --json --anim sampled --frames 1
+if cmp -s one_frame.json out; then complain "verify --anim changes nothing"; fi
+answers 0 "" verify default.lithe --against "$small" --json --anim test --frames 2
+if cmp -s one_frame.json out; then complain "verify --frames changes nothing"; fi
+answers 2 "--frames" verify default.lithe --against "$small" --frames 0
+# A bake that sees nothing but the rest pose states what weights of 4 bits do there, which is nothing.
+echo '{"poses": [{"nodes": {}}]}' >rest_pose.json
+bakes blind --pose-file rest_pose.json --weight-bits 4
+answers 1 "are farther away than the stated error" verify blind.lithe --against "$small"
 answers 0 "" verify plain.lithe --quiet
 [ ! -s out ] || complain "verify --quiet prints"
 answers 0 "" export plain.lithe -o with.glb --level 0 --from "$small" --quiet
@@ -105,6 +117,17 @@ compares middle --anim test --frames 2
 compares ends --anim test --frames 2 --phase ends
 is ends.json "frames[0].time" 0.0
 orders 0 "$(json middle.json "frames[0].time")" "--phase mid, the first frame"
+compares between --anim test --frames 2 --phase between
+awk -v t="$(json between.json "frames[1].time")" 'BEGIN { d = t * 30 - int(t * 30) - 0.5; exit !(d < 1e-6 && d > -1e-6) }' ||
+  complain "--phase between is at $(json between.json "frames[1].time") s, not halfway between thirtieths"
+compares poses --anim sampled --frames 1
+compares later --anim sampled --frames 1 --first-pose 9
+if cmp -s poses.json later.json; then complain "--first-pose changes nothing"; fi
+compares beyond --anim test --frames 2 --beyond 0
+orders 0.5 "$(json beyond.json mean_of_frames.beyond)" "--beyond 0 counts nearly all samples"
+compares beyond --anim test --frames 2 --beyond 1000
+is beyond.json mean_of_frames.beyond 0.0
+answers 0 "farther than 1000 units: 0.000 % of the samples" compare "$small" with.glb --anim test --frames 1 --samples 100 --beyond 1000
 compares number --anim 1 --frames 2 --threads 1
 cmp middle.json number.json || complain "--anim 1 is not the second clip, or --threads changes the result"
 compares seed --anim test --frames 2 --seed 2

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <thread>
 
 #include "frames.h"
@@ -30,6 +31,7 @@ struct Comparison {
   uint32_t samples = 0;
   uint64_t seed = 0;
   bool has_uv = false;
+  double beyond = std::numeric_limits<double>::infinity();
 };
 
 std::vector<uint32_t> ownNodes(const Model& model) {
@@ -56,6 +58,7 @@ Comparison prepare(const Model& original, const Model& simplified, const Compare
                {}};
   c.samples = options.samples;
   c.seed = options.seed;
+  if (options.beyond) c.beyond = *options.beyond;
   c.has_uv = !c.original.uvs.empty() && !c.simplified.uvs.empty();
   const Instant rest = restInstant(original);
   const PosedSurface original_rest = posedOriginal(c, rest);
@@ -70,12 +73,13 @@ FrameReport measureFrame(const Comparison& c, const Instant& instant, uint64_t n
   const SearchableSurface original(c.original, posedOriginal(c, instant));
   const SearchableSurface simplified(c.simplified, posedSimplified(c, instant));
   const uint64_t seed = (c.seed << 32) + 2 * number;
+  const Sampling forth{c.samples, seed, c.has_uv, c.beyond}, back{c.samples, seed + 1, c.has_uv, c.beyond};
   const double unit = 1.0 / c.rest_diagonal;
   FrameReport frame;
   frame.clip = instant.clip;
   frame.time = instant.time;
-  frame.original_to_simplified = scaled(surfaceError(original, simplified, c.samples, seed, c.has_uv), unit, 1.0);
-  frame.simplified_to_original = scaled(surfaceError(simplified, original, c.samples, seed + 1, c.has_uv), unit, 1.0);
+  frame.original_to_simplified = scaled(surfaceError(original, simplified, forth), unit, 1.0);
+  frame.simplified_to_original = scaled(surfaceError(simplified, original, back), unit, 1.0);
   frame.symmetric = largerOf(frame.original_to_simplified, frame.simplified_to_original);
   frame.seam = measureSeams(c.seams, original.posed.positions, simplified.posed.positions);
   frame.seam.gap *= unit;
@@ -133,6 +137,7 @@ CompareReport compare(const Model& original, const Model& simplified, const Comp
   report.rest_diagonal = comparison.rest_diagonal;
   report.has_uv = comparison.has_uv;
   report.samples = options.samples;
+  report.beyond = options.beyond;
   report.weight_sum_error = weightSumError(comparison.simplified);
   report.frames.resize(instants.size());
   forEachIndex(static_cast<uint32_t>(instants.size()), options.threads,

@@ -42,6 +42,12 @@ std::vector<uint32_t> chosenClips(const std::vector<Clip>& clips, const std::str
 
 double durationOf(const Clip& clip) { return clip.end - clip.begin; }
 
+/// The middle of the step of kCandidateRate that `along` (0 to 1) lies in.
+double betweenCandidates(const Clip& clip, double along) {
+  const double steps = std::max(1.0, std::floor(durationOf(clip) * kCandidateRate + 0.5));
+  return (std::min(std::floor(along * steps), steps - 1.0) + 0.5) / steps;
+}
+
 /// `frames` as evenly spread clips of the selection, one frame each.
 std::vector<uint32_t> thinnedOut(const std::vector<uint32_t>& selection, uint32_t frames) {
   std::vector<uint32_t> kept(frames);
@@ -112,9 +118,10 @@ std::vector<glm::dmat4> nodeWorldsOf(const Model& model, const Pose& pose) {
   return worlds;
 }
 
-std::vector<Instant> sampledInstants(const Model& original, uint32_t count) {
+std::vector<Instant> sampledInstants(const Model& original, uint32_t count, uint32_t first) {
   std::vector<Instant> instants;
-  for (const Pose& pose : sampledPoses(original, count)) instants.push_back({"", 0.0, nodeWorldsOf(original, pose)});
+  for (const Pose& pose : sampledPoses(original, count, first))
+    instants.push_back({"", 0.0, nodeWorldsOf(original, pose)});
   return instants;
 }
 
@@ -129,9 +136,10 @@ std::vector<ClipTime> chooseFrames(const std::vector<Clip>& clips, const Compare
   std::vector<ClipTime> frames;
   for (size_t i = 0; i < selection.size(); ++i) {
     const Clip& clip = clips[selection[i]];
-    const bool in_slices = counts[i] == 1 || options.phase == FramePhase::kMid;
+    const bool in_slices = counts[i] == 1 || options.phase != FramePhase::kEnds;
     for (uint32_t k = 0; k < counts[i]; ++k) {
-      const double along = in_slices ? (k + 0.5) / counts[i] : static_cast<double>(k) / (counts[i] - 1);
+      double along = in_slices ? (k + 0.5) / counts[i] : static_cast<double>(k) / (counts[i] - 1);
+      if (options.phase == FramePhase::kBetween) along = betweenCandidates(clip, along);
       frames.push_back({selection[i], clip.begin + along * durationOf(clip)});
     }
   }
@@ -145,7 +153,7 @@ std::vector<Instant> chosenInstants(const Model& original, const CompareOptions&
   const bool no_clips = options.animation == "all" && original.clips.empty();
   if (no_clips || options.animation == "sampled") {
     if (options.frames > kMostFrames) throw Error("more than 100,000 frames are asked for: take fewer");
-    return sampledInstants(original, std::max(options.frames, 1u));
+    return sampledInstants(original, std::max(options.frames, 1u), options.first_pose);
   }
   const Model skeleton = skeletonOf(original);
   std::vector<Instant> instants;

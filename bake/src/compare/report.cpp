@@ -32,23 +32,29 @@ std::string nameOf(const FrameReport& frame, size_t index) {
   return frame.clip.empty() ? "pose " + std::to_string(index) : frame.clip + formatted(" %.3f s", frame.time);
 }
 
-Json lengthsAndShares(const SurfaceError& e, bool has_uv) {
+/// Which figures a report has.
+struct Measured {
+  bool uv, beyond;
+};
+
+Json lengthsAndShares(const SurfaceError& e, Measured measured) {
   Json json = {
       {"rms", e.rms},        {"mean", e.mean}, {"max", e.max}, {"p999", e.p999}, {"normal_degrees", e.normal_degrees},
       {"flipped", e.flipped}};
-  if (has_uv) {
+  if (measured.uv) {
     json["uv_rms"] = e.uv_rms;
     json["uv_median"] = e.uv_median;
   }
+  if (measured.beyond) json["beyond"] = e.beyond;
   return json;
 }
 
-Json frameJson(const FrameReport& frame, bool has_uv) {
+Json frameJson(const FrameReport& frame, Measured measured) {
   return {{"clip", frame.clip},
           {"time", frame.time},
-          {"original_to_simplified", lengthsAndShares(frame.original_to_simplified, has_uv)},
-          {"simplified_to_original", lengthsAndShares(frame.simplified_to_original, has_uv)},
-          {"symmetric", lengthsAndShares(frame.symmetric, has_uv)},
+          {"original_to_simplified", lengthsAndShares(frame.original_to_simplified, measured)},
+          {"simplified_to_original", lengthsAndShares(frame.simplified_to_original, measured)},
+          {"symmetric", lengthsAndShares(frame.symmetric, measured)},
           {"seam_gap", frame.seam.gap},
           {"seam_opened", frame.seam.opened}};
 }
@@ -72,27 +78,33 @@ std::string compareText(const CompareReport& r) {
   text += frameLine("worst frame", r.worst, r.has_uv);
   text += formatted("\nrms_mean %.4e (%.6g units), largest distance %.4e (%.6g units)\n", r.mean.rms,
                     r.mean.rms * r.rest_diagonal, r.worst.max, r.worst.max * r.rest_diagonal);
+  if (r.beyond) {
+    text += formatted("farther than %.6g units: %.3f %% of the samples, %.3f %% in the worst frame\n", *r.beyond,
+                      100.0 * r.mean.beyond, 100.0 * r.worst.beyond);
+  }
   text += formatted("seams: widest gap %.3e, opened against the original %.3e; weights off one by at most %.1e\n",
                     r.seam.gap, r.seam.opened, r.weight_sum_error);
   return text;
 }
 
 std::string compareJson(const CompareReport& r) {
+  const Measured measured{r.has_uv, r.beyond.has_value()};
   Json json;
   json["original"] = meshJson(r.original_triangles, r.original_vertices);
   json["simplified"] = meshJson(r.simplified_triangles, r.simplified_vertices);
   json["rest_diagonal"] = r.rest_diagonal;
   json["samples"] = r.samples;
+  if (r.beyond) json["beyond_absolute"] = *r.beyond;
   json["rms_mean"] = r.mean.rms;
   json["rms_mean_absolute"] = r.mean.rms * r.rest_diagonal;
   json["max"] = r.worst.max;
   json["max_absolute"] = r.worst.max * r.rest_diagonal;
-  json["mean_of_frames"] = lengthsAndShares(r.mean, r.has_uv);
-  json["worst_frame"] = lengthsAndShares(r.worst, r.has_uv);
+  json["mean_of_frames"] = lengthsAndShares(r.mean, measured);
+  json["worst_frame"] = lengthsAndShares(r.worst, measured);
   json["seam_gap"] = r.seam.gap;
   json["seam_opened"] = r.seam.opened;
   json["weight_sum_error"] = r.weight_sum_error;
-  for (const FrameReport& frame : r.frames) json["frames"].push_back(frameJson(frame, r.has_uv));
+  for (const FrameReport& frame : r.frames) json["frames"].push_back(frameJson(frame, measured));
   return json.dump(2) + "\n";
 }
 

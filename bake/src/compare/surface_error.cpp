@@ -67,29 +67,31 @@ double rootMeanSquare(const std::vector<double>& values) {
 
 }  // namespace
 
-SurfaceError surfaceError(const SearchableSurface& from, const SearchableSurface& to, uint32_t samples, uint64_t seed,
-                          bool with_uv) {
+SurfaceError surfaceError(const SearchableSurface& from, const SearchableSurface& to, const Sampling& sampling) {
   const double slack = kTie * diagonalOf(to.posed.positions);
   std::vector<double> distances, angles, uvs;
   std::vector<NearestPoint> matches;
-  uint32_t flipped = 0;
+  uint32_t flipped = 0, beyond = 0;
   uint32_t hint = kNone;
-  for (const SurfaceSample& sample : sampleSurface(from.posed.positions, from.surface.triangles, samples, seed)) {
+  for (const SurfaceSample& sample :
+       sampleSurface(from.posed.positions, from.surface.triangles, sampling.samples, sampling.seed)) {
     const Triangle& triangle = from.surface.triangles[sample.triangle];
     to.tree.nearestWithin(pointOf(from.posed.positions, triangle, sample.barycentric), slack, matches, hint);
     hint = matches.front().triangle;
-    const SampleError error = matchSample(from, sample, to, matches, with_uv);
+    const SampleError error = matchSample(from, sample, to, matches, sampling.with_uv);
     distances.push_back(error.distance);
     angles.push_back(error.angle);
-    if (with_uv) uvs.push_back(error.uv);
+    if (sampling.with_uv) uvs.push_back(error.uv);
     flipped += error.flipped ? 1 : 0;
+    beyond += error.distance > sampling.beyond ? 1 : 0;
   }
   const SurfaceDistance distance = summarizeDistances(distances);
   SurfaceError result{distance.rms, distance.mean, distance.max, distance.p999};
   result.max = farthestVertex(from.posed.positions, from.surface.triangles, to.tree, distance.max);
   result.normal_degrees = glm::degrees(rootMeanSquare(angles));
-  result.flipped = static_cast<double>(flipped) / samples;
-  if (with_uv) {
+  result.flipped = static_cast<double>(flipped) / sampling.samples;
+  result.beyond = static_cast<double>(beyond) / sampling.samples;
+  if (sampling.with_uv) {
     result.uv_rms = rootMeanSquare(uvs);
     result.uv_median = percentile(uvs, 0.5);
   }
@@ -104,7 +106,8 @@ SurfaceError largerOf(const SurfaceError& a, const SurfaceError& b) {
           std::max(a.normal_degrees, b.normal_degrees),
           std::max(a.flipped, b.flipped),
           std::max(a.uv_rms, b.uv_rms),
-          std::max(a.uv_median, b.uv_median)};
+          std::max(a.uv_median, b.uv_median),
+          std::max(a.beyond, b.beyond)};
 }
 
 void accumulate(SurfaceError& sum, const SurfaceError& error) {
@@ -116,12 +119,13 @@ void accumulate(SurfaceError& sum, const SurfaceError& error) {
   sum.flipped += error.flipped;
   sum.uv_rms += error.uv_rms;
   sum.uv_median += error.uv_median;
+  sum.beyond += error.beyond;
 }
 
 SurfaceError scaled(const SurfaceError& error, double length_factor, double other_factor) {
   return {error.rms * length_factor,   error.mean * length_factor,          error.max * length_factor,
           error.p999 * length_factor,  error.normal_degrees * other_factor, error.flipped * other_factor,
-          error.uv_rms * other_factor, error.uv_median * other_factor};
+          error.uv_rms * other_factor, error.uv_median * other_factor,      error.beyond * other_factor};
 }
 
 }  // namespace lithe::bake

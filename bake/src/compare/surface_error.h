@@ -17,9 +17,16 @@ struct SearchableSurface {
   TriangleTree tree;
 };
 
-/// Lengths in the units of the positions. @param with_uv  both surfaces have uvs and they are to be compared
-SurfaceError surfaceError(const SearchableSurface& from, const SearchableSurface& to, uint32_t samples, uint64_t seed,
-                          bool with_uv);
+/// What is asked of the samples of one direction.
+struct Sampling {
+  uint32_t samples = 0;
+  uint64_t seed = 0;
+  bool with_uv = false;  ///< both surfaces have uvs and they are to be compared
+  double beyond = 0.0;   ///< in the units of the positions
+};
+
+/// Lengths in the units of the positions.
+SurfaceError surfaceError(const SearchableSurface& from, const SearchableSurface& to, const Sampling& sampling);
 
 /// Member by member the larger.
 SurfaceError largerOf(const SurfaceError& a, const SurfaceError& b);

@@ -61,11 +61,11 @@ double poseAmplitude(uint32_t pose) {
 
 }  // namespace
 
-std::vector<Pose> sampledPoses(const Model& model, uint32_t count) {
+std::vector<Pose> sampledPoses(const Model& model, uint32_t count, uint32_t first) {
   const std::vector<bool> is_joint = jointNodes(model);
   std::vector<Pose> poses;
   poses.reserve(count);
-  for (uint32_t i = 0; i < count; ++i) {
+  for (uint32_t i = first; i < first + count; ++i) {
     std::vector<Transform> locals = restLocals(model);
     for (uint32_t node = 0; node < locals.size(); ++node) {
       if (!is_joint[node]) continue;

@@ -56,13 +56,23 @@ void addOptions(CLI::App& command, CompareArguments& arguments) {
   command.add_option("--frames", options.frames, "Frames over all clips; 0: every clip at 30 a second")
       ->capture_default_str();
   const auto setPhase = [&options](const std::string& name) {
-    options.phase = name == "mid" ? bake::FramePhase::kMid : bake::FramePhase::kEnds;
+    options.phase = name == "mid"    ? bake::FramePhase::kMid
+                    : name == "ends" ? bake::FramePhase::kEnds
+                                     : bake::FramePhase::kBetween;
   };
   command
       .add_option_function<std::string>("--phase", setPhase,
-                                        "Frames in the middle of equal slices (mid), or from first to last key (ends)")
-      ->check(CLI::IsMember({"mid", "ends"}))
+                                        "Frames in the middle of equal slices (mid), from first to last key (ends), or "
+                                        "halfway between instants that a bake may have seen (between)")
+      ->check(CLI::IsMember({"mid", "ends", "between"}))
       ->default_str("mid");
+  command
+      .add_option("--first-pose", options.first_pose,
+                  "Number of the first sampled pose; a bake without clips sees 0 to 14")
+      ->check(CLI::Range(0u, 1000000000u))
+      ->capture_default_str();
+  command.add_option("--beyond", options.beyond, "Say how many samples are farther than this, in the file's units")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--samples", options.samples, "Points per frame and direction")
       ->check(CLI::Range(1u, 10000000u))
       ->capture_default_str();

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@
 
 namespace lithe::bake {
 
-/// Where in a clip its frames lie: `kMid` in the middle of equal slices, `kEnds` evenly from the first to the last key.
-enum class FramePhase : uint8_t { kMid, kEnds };
+/// Where in a clip its frames lie: `kMid` in the middle of equal slices, `kEnds` evenly from the first to the last key,
+/// `kBetween` as `kMid` but each moved halfway between two of the instants that a bake chooses its example poses from
+/// (kCandidateRate): as far from what the bake has seen as a frame of the clip can be.
+enum class FramePhase : uint8_t { kMid, kEnds, kBetween };
 
 struct CompareOptions {
   /// `all` clips, one clip's name (or its index as a number), `sampled` poses, or `none` for the rest pose alone.
@@ -28,10 +31,13 @@ struct CompareOptions {
   /// that many clips give one each. 0: every chosen clip at 30 frames a second, ends included. At most 100,000.
   uint32_t frames = 10;
   FramePhase phase = FramePhase::kMid;
+  uint32_t first_pose = 0;     ///< number of the first sampled pose; a bake without clips takes its own from 0 on
   uint32_t samples = 20000;    ///< per frame and direction [limit: 1..10,000,000]
   uint32_t threads = 0;        ///< 0: one per core; the report does not depend on it
   uint64_t seed = 1;           ///< of the samples
   bool include_rigid = false;  ///< measure rigid parts too, not only skinned ones
+  /// A distance in model units: the share of samples that are farther than it is measured too.
+  std::optional<double> beyond;
 };
 
 /// One direction: from the samples of one surface to the nearest points of the other. Lengths are divided by the
@@ -46,6 +52,7 @@ struct SurfaceError {
   double flipped = 0.0;         ///< share of the area whose face normal is more than 90 degrees from the matched face's
   double uv_rms = 0.0;          ///< of |uv - uv'|, uv set 0; zero unless both models have it
   double uv_median = 0.0;
+  double beyond = 0.0;  ///< share of the samples that are farther than CompareOptions::beyond; zero without it
 };
 
 /// Seams are places where several vertices of the simplified model coincide in the rest pose.
@@ -73,6 +80,7 @@ struct CompareReport {
   double rest_diagonal = 0.0;  ///< multiply lengths by it for model units
   bool has_uv = false;         ///< uv deviations were measured
   uint32_t samples = 0;
+  std::optional<double> beyond;  ///< the option
   std::vector<FrameReport> frames;
   SurfaceError mean;              ///< of the frames' symmetric figures; mean.rms is the headline
   SurfaceError worst;             ///< the largest of the frames' symmetric figures

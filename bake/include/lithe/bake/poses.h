@@ -42,10 +42,10 @@ Pose clipPose(const Model& model, uint32_t clip, double time);
 /// @throws Error if the number of transforms is not the number of nodes
 Pose localPose(const Model& model, std::span<const Transform> locals);
 
-/// `count` poses in which every joint is turned from rest about a random axis by up to kSampledDegrees. Pose i is
-/// scaled by 1, 1/2, 3/4 or 1/4 in turn, so that strong and mild poses occur in any prefix. Pose i does not depend on
-/// `count`.
-std::vector<Pose> sampledPoses(const Model& model, uint32_t count);
+/// Poses number `first` to first + count - 1 of an endless row in which every joint is turned from rest about a random
+/// axis by up to kSampledDegrees. Pose i is scaled by 1, 1/2, 3/4 or 1/4 in turn, so that strong and mild poses occur
+/// in any stretch of it.
+std::vector<Pose> sampledPoses(const Model& model, uint32_t count, uint32_t first = 0);
 
 struct PoseOptions {
   uint32_t count = 16;             ///< poses wanted, at least 1

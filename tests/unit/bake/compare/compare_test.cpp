@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lithe/bake/poses.h"
 #include "shapes.h"
 
 namespace lithe::bake {
@@ -187,6 +188,25 @@ TEST(Compare, MeasuresSkinnedPartsUnlessRigidOnesAreAskedFor) {
   EXPECT_GT(compare(original, with_rigid, options).worst.max, 1.0);
 }
 
+TEST(Compare, CountsTheSamplesBeyondADistance) {
+  // One half of the tube, by area, is pushed out by 0.05.
+  const Model original = tube(64, 16);
+  Model pushed = original;
+  for (size_t i = 0; i < pushed.positions.size(); ++i)
+    if (pushed.positions[i].z > 2.01f) pushed.positions[i] += 0.05f * pushed.normals[i];
+  CompareOptions options = quick();
+  options.animation = "none";
+  EXPECT_EQ(compare(original, pushed, options).mean.beyond, 0.0);
+  EXPECT_FALSE(compare(original, pushed, options).beyond.has_value());
+  const auto beyond = [&](double distance) {
+    options.beyond = distance;
+    return compare(original, pushed, options).mean.beyond;
+  };
+  EXPECT_NEAR(beyond(0.045), 0.5, 0.05);
+  EXPECT_EQ(beyond(0.0501), 0.0);
+  EXPECT_GT(beyond(0.0), 0.5);
+}
+
 TEST(Compare, TheReportDoesNotDependOnTheNumberOfThreads) {
   const Model original = tube(40, 20), simplified = tube(10, 8);
   CompareOptions options = quick(7);
@@ -208,6 +228,32 @@ TEST(CompareFrames, AreSpreadByDuration) {
   EXPECT_EQ(framesOf(compare(model, model, ends)), (Frames{{"bend", 0.5}, {"still", 0.0}, {"still", 2.0}}));
   ends.animation = "1";
   EXPECT_EQ(framesOf(compare(model, model, ends)), (Frames{{"still", 0.0}, {"still", 1.0}, {"still", 2.0}}));
+}
+
+TEST(CompareFrames, BetweenIsHalfwayBetweenWhatABakeMaySee) {
+  const Model model = tube(4, 2);
+  CompareOptions options = quick(7);
+  options.phase = FramePhase::kBetween;
+  for (const auto& [clip, time] : framesOf(compare(model, model, options))) {
+    const double steps = time * kCandidateRate;
+    EXPECT_NEAR(steps - std::floor(steps), 0.5, 1e-9) << clip << " " << time;
+  }
+}
+
+TEST(CompareFrames, SampledPosesBeginWhereAsked) {
+  Model model = tube(12, 8), rigid = model;
+  for (Skin& skin : rigid.skins) skin.count = 1;
+  CompareOptions options = quick(6);
+  options.animation = "sampled";
+  const CompareReport all = compare(model, rigid, options);
+  options.first_pose = 4;
+  options.frames = 2;
+  options.samples = 20000;
+  const CompareReport last = compare(model, rigid, options);
+  ASSERT_EQ(last.frames.size(), 2u);
+  for (size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(last.frames[i].symmetric.rms, all.frames[4 + i].symmetric.rms, 0.1 * last.frames[i].symmetric.rms);
+  EXPECT_GT(std::abs(last.frames[0].symmetric.rms - all.frames[0].symmetric.rms), 0.2 * last.frames[0].symmetric.rms);
 }
 
 TEST(CompareFrames, ZeroMeansEveryThirtiethOfASecond) {

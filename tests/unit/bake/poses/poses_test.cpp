@@ -124,6 +124,7 @@ TEST(SampledPoses, AreBoundedRepeatableAndOfSeveralStrengths) {
   const std::vector<Pose> poses = sampledPoses(arm, 64), prefix = sampledPoses(arm, 7);
   double strongest = 0.0, mildest = 180.0;
   for (uint32_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(sampledPoses(arm, 1, i)[0].palette, poses[i].palette);
     if (i < prefix.size()) {
       EXPECT_EQ(poses[i].palette, prefix[i].palette);
     }
