@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -20,48 +19,10 @@
 #include "lithe/bake/compare.h"
 #include "lithe/bake/cut.h"
 #include "lithe/bake/simplify.h"
-#include "lithe/bake/weld.h"
-#include "pipeline/attribute_choice.h"
-#include "pipeline/weight_bits.h"
+#include "simplified.h"
 
 namespace lithe::bench {
 namespace {
-
-// ---- Simplification as a bake does it
-
-struct Simplified {
-  bake::Mesh mesh;
-  bake::CollapseSequence sequence;
-  double seconds = 0.0;  // of processor time, one thread: other work on the machine does not count
-};
-
-bake::SimplifyOptions simplifyOptions(const bake::BakeOptions& options, const bake::Mesh& mesh) {
-  bake::SimplifyOptions simplify;
-  simplify.metric = options.metric;
-  simplify.placement_shift = options.precision;
-  simplify.refit = options.refit;
-  simplify.threads = 1;
-  for (const double share : options.levels) {
-    simplify.levels.push_back(static_cast<uint32_t>(std::max(1.0, std::round(share * mesh.triangleCount()))));
-  }
-  simplify.min_triangles = *std::min_element(simplify.levels.begin(), simplify.levels.end());
-  return simplify;
-}
-
-Simplified simplified(const bake::Model& model, const std::vector<bake::Pose>& poses,
-                      const bake::BakeOptions& options) {
-  Simplified result;
-  bake::WeldOptions weld_options;
-  weld_options.max_influences = options.max_influences;
-  weld_options.weight_bits = bake::chooseWeightBits(model, poses, options.position_bits);
-  std::vector<std::string> warnings;
-  weld_options.attributes = bake::chooseAttributes(model, {}, warnings);
-  result.mesh = bake::weld(model, poses, weld_options, warnings);
-  const std::clock_t begin = std::clock();
-  result.sequence = bake::simplify(result.mesh, model.joints, poses, simplifyOptions(options, result.mesh));
-  result.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  return result;
-}
 
 // ---- Seconds
 
@@ -116,9 +77,8 @@ uint32_t mostInfluences(const bake::Model& model) {
 /// In ten frames of its clips, which lie between those that a bake chooses from; without clips, in sampled poses, some
 /// of which it was baked on.
 double posedRms(const Source& source, const Simplified& simplified, double share) {
-  const double triangles = std::round(share * simplified.mesh.triangleCount());
   const bake::Model cut =
-      bake::cutToModel(source.model, simplified.mesh, simplified.sequence, static_cast<uint32_t>(triangles));
+      bake::cutToModel(source.model, simplified.mesh, simplified.sequence, simplified.triangles(share));
   bake::CompareOptions options;
   options.include_rigid = true;
   return bake::compare(source.model, cut, options).mean.rms;
