@@ -14,8 +14,11 @@ trap 'rm -rf "$folder"' EXIT
 
 "$samples/lithe_levels" demo/figure.lithe --out "$folder" --rows shaded,wires --columns 5 --cell-width 300 --cell-height 350 \
   --clip walk --fraction 0.2 --turn 35
+cp "$folder/figure_levels.png" docs/images/levels.png
+"$samples/lithe_levels" demo/figure.lithe --out "$folder" --rows checker,shaded --columns 5 --cell-width 300 --cell-height 350 \
+  --clip walk --fraction 0.2 --turn 35
+cp "$folder/figure_levels.png" docs/images/checker.png
 "$samples/lithe_crowd" demo/figure.lithe demo/centipede.lithe demo/column.lithe --out "$folder" --instances 1000 --frames 7 \
   --width 1120 --height 630
-cp "$folder/figure_levels.png" docs/images/levels.png
 cp "$folder/crowd_003.png" docs/images/crowd.png
 ls -l docs/images/*.png

@@ -35,6 +35,7 @@ lithe_vertex_layout layoutFor(const Character& character) {
   layout.influences = kMaxInfluences;
   layout.position = attribute(LITHE_FORMAT_F32, offsetof(SkinVertex, position));
   if (character.info.has_normals) layout.normal = attribute(LITHE_FORMAT_SNORM16, offsetof(SkinVertex, normal));
+  if (character.info.uv_sets > 0) layout.uv[0] = attribute(LITHE_FORMAT_F16, offsetof(SkinVertex, uv));
   layout.joints = attribute(LITHE_FORMAT_U16, offsetof(SkinVertex, joints));
   layout.weights = attribute(LITHE_FORMAT_UNORM8, offsetof(SkinVertex, weights));
   return layout;
@@ -58,6 +59,7 @@ void describeVertices() {
   integerAttribute(3, offsetof(SkinVertex, joints) + 4 * sizeof(uint16_t));
   floatAttribute(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(SkinVertex, weights));
   floatAttribute(5, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(SkinVertex, weights) + 4);
+  floatAttribute(6, 2, GL_HALF_FLOAT, GL_FALSE, offsetof(SkinVertex, uv));
 }
 
 }  // namespace

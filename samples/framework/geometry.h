@@ -21,6 +21,7 @@ inline constexpr uint32_t kMaxInfluences = LITHE_MAX_INFLUENCES;
 struct SkinVertex {
   float position[3];
   int16_t normal[2];  ///< octahedral
+  uint16_t uv[2];     ///< halves; of the first set
   uint16_t joints[kMaxInfluences];
   uint8_t weights[kMaxInfluences];
 };

@@ -20,9 +20,10 @@ inline constexpr unsigned kShadowUnit = 0;
 /// What all shaders know of a frame. Layout of std140.
 struct FrameBlock {
   glm::mat4 view_projection{1}, inverse_view_projection{1}, sun_projection{1};
-  glm::vec4 camera{0};               ///< world position
-  glm::vec4 sun{0, 1, 0, 0};         ///< direction towards it; w: the world size of a shadow texel
-  glm::vec4 fog{0};                  ///< x: density per unit; y: lines on the ground 0..1; z: a studio without sky 0..1
+  glm::vec4 camera{0};        ///< world position
+  glm::vec4 sun{0, 1, 0, 0};  ///< direction towards it; w: the world size of a shadow texel
+  glm::vec4 fog{
+      0};  ///< x: density per unit; y: lines on the ground 0..1; z: a studio without sky 0..1; w: checker's cells
   glm::vec4 line_color{0, 0, 0, 1};  ///< of the wireframe
 };
 

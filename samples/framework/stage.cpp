@@ -46,7 +46,7 @@ void Stage::setPalettes(const PoseBank& bank) {
 }
 
 void Stage::sendFrame() {
-  frame_.fog = glm::vec4(look_.fog_density, look_.ground_lines, look_.studio ? 1.0f : 0.0f, 0);
+  frame_.fog = glm::vec4(look_.fog_density, look_.ground_lines, look_.studio ? 1.0f : 0.0f, look_.checker_cells);
   frame_buffer_.write(std::span<const FrameBlock>(&frame_, 1));
 }
 

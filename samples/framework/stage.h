@@ -40,6 +40,7 @@ class Stage {
     float ground_lines = 1;  ///< 0..1
     bool studio = false;     ///< a plain background instead of the sky
     bool ground = true;
+    float checker_cells = 0;  ///< per unit of u and v, instead of the materials' colours; 0: none
   };
 
   explicit Stage(int shadow_size = 2048);

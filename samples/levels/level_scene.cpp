@@ -14,6 +14,7 @@ namespace {
 constexpr int kSamples = 4;
 constexpr uint32_t kMeasuredLevel = 4;             ///< fine enough to frame a picture by
 constexpr float kFov = 0.42f;                      ///< radians: a long lens
+constexpr float kCheckerCells = 48;                ///< of the uvs' unit square
 constexpr float kMargin = 1.06f;                   ///< free room around the character
 constexpr float kLabelScale = 2, kLabelLine = 22;  ///< pixels per dot and per line
 
@@ -133,6 +134,7 @@ sample::Picture LevelScene::draw(const Shot& shot) {
   look.studio = true;
   look.ground_lines = 0;
   look.ground = shot.ground;
+  if (shot.checker) look.checker_cells = kCheckerCells;
   stage_.setLook(look);
   placeInstance(shot.level);
   stage_.drawShadows({(low_ + high_) * 0.5f, glm::length(high_ - low_) * 0.8f}, list_);

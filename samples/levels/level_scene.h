@@ -29,6 +29,7 @@ struct Shot {
   int width = 400, height = 400;
   float pixels_per_unit = 0;  ///< of the character on the picture; 0: it fills the picture
   bool wires = false;
+  bool checker = false;  ///< a checkerboard laid over the uvs, instead of the materials' colours
   bool ground = true;
   std::vector<std::string> labels;  ///< lines at the foot of the picture
 };

@@ -38,7 +38,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--cell-height", options.cell_height, "Pixels")->check(CLI::Range(64, 4096));
   app.add_option("--rows", options.rows, "What the sheet shows of each level")
       ->delimiter(',')
-      ->check(CLI::IsMember({"shaded", "wires", "used"}));
+      ->check(CLI::IsMember({"shaded", "wires", "checker", "used"}));
   app.add_flag("--each", options.each, "Write every level's own picture too");
 }
 
@@ -90,9 +90,9 @@ int rowHeight(const std::string& row, const Options& options) {
   return row == "used" ? options.cell_height / 2 : options.cell_height;
 }
 
-/// One cell of a row: "shaded", "wires", or "used", which is as small as a pixel of error asks for.
+/// One cell of a row: "shaded", "wires", "checker", or "used", which is as small as a pixel of error asks for.
 Shot shotFor(const std::string& row, const LevelScene& scene, uint32_t index, const Options& options) {
-  Shot shot{index, options.cell_width, rowHeight(row, options), 0, row == "wires", row != "used", {}};
+  Shot shot{index, options.cell_width, rowHeight(row, options), 0, row == "wires", row == "checker", row != "used", {}};
   const lithe_level& level = scene.character().levels[index];
   if (row == "shaded")
     shot.labels = {grouped(level.triangle_count) + " triangles", grouped(level.bytes_end) + " bytes"};
@@ -124,7 +124,7 @@ sample::Picture drawSheet(LevelScene& scene, const Options& options) {
 
 void writeEach(LevelScene& scene, const Options& options) {
   for (uint32_t level = 0; level < scene.character().info.level_count; ++level) {
-    const Shot shot{level, options.cell_width, options.cell_height, 0, false, true, {}};
+    const Shot shot{level, options.cell_width, options.cell_height, 0, false, false, true, {}};
     sample::writePng(scene.draw(shot),
                      options.output / (scene.character().name + "_level_" + std::to_string(level) + ".png"));
   }
