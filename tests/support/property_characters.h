@@ -59,7 +59,7 @@ inline bake::Model closedTube(uint32_t around, uint32_t rings) {
   return model;
 }
 
-/// The tube of shapes.h with small triangles of two further parts around it: they vanish, and their nodes are folded.
+/// The tube of shapes.h with small triangles of two further parts around it: they vanish, and their nodes are absorbed.
 inline bake::Model tubeWithFlakes(uint32_t around, uint32_t rings) {
   bake::Model model = bake::test::tube(around, rings);
   model.parts.insert(model.parts.end(), {{"flakes", 0, bake::kNone, 0, 0}, {"more flakes", 0, bake::kNone, 0, 0}});

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fold.h"
+#include "absorb.h"
 #include "parallel.h"
 
 namespace lithe::bake {
@@ -215,7 +215,7 @@ void Collapser::noteFaceless(uint32_t slot) {
 
 void Collapser::endLevel(std::vector<Collapse>& collapses) {
   refit(collapses);
-  foldFaceless(collapses);
+  absorbFaceless(collapses);
 }
 
 void Collapser::refit(std::vector<Collapse>& collapses) {
@@ -232,20 +232,20 @@ void Collapser::refit(std::vector<Collapse>& collapses) {
 }
 
 /// The host stays what it is: neither its metric nor the refit need know.
-void Collapser::foldFaceless(std::vector<Collapse>& collapses) {
+void Collapser::absorbFaceless(std::vector<Collapse>& collapses) {
   if (faceless_.empty() || surface_.triangleCount() == 0) return;
   std::sort(faceless_.begin(), faceless_.end());
   faceless_.erase(std::unique(faceless_.begin(), faceless_.end()), faceless_.end());
   const std::vector<uint32_t> hosts = nearestHosts(faceless_, mesh_, nodes_, surface_);
   for (size_t i = 0; i < faceless_.size(); ++i) {
-    Collapse fold;
-    fold.child[0] = node_of_[hosts[i]];
-    fold.child[1] = node_of_[faceless_[i]];
-    fold.position = nodes_.positions[hosts[i]];
-    fold.skin = nodes_.skins[hosts[i]];
-    fold.t8 = 0;
-    fold.triangles = surface_.triangleCount();
-    collapses.push_back(fold);
+    Collapse absorption;
+    absorption.child[0] = node_of_[hosts[i]];
+    absorption.child[1] = node_of_[faceless_[i]];
+    absorption.position = nodes_.positions[hosts[i]];
+    absorption.skin = nodes_.skins[hosts[i]];
+    absorption.t8 = 0;
+    absorption.triangles = surface_.triangleCount();
+    collapses.push_back(absorption);
     node_of_[hosts[i]] = next_node_++;
   }
   faceless_.clear();

@@ -26,7 +26,7 @@ class Collapser {
   bool collapseNext(Collapse& collapse);
 
   /// What is done where a level ends: nodes made since the last one move closer to the original, here and in the
-  /// collapses so far, and nodes without triangles are folded into others, by collapses of their own.
+  /// collapses so far, and nodes without triangles are absorbed by others, by collapses of their own.
   void endLevel(std::vector<Collapse>& collapses);
 
   uint32_t triangleCount() const { return surface_.triangleCount(); }
@@ -57,7 +57,7 @@ class Collapser {
   void refreshAround(uint32_t a);
   void noteFaceless(uint32_t slot);
   void refit(std::vector<Collapse>& collapses);
-  void foldFaceless(std::vector<Collapse>& collapses);
+  void absorbFaceless(std::vector<Collapse>& collapses);
   void dropEdge(uint32_t edge);
 
   const Mesh& mesh_;
@@ -82,7 +82,7 @@ class Collapser {
   uint32_t first_triangles_;
   bool coarse_ = false;             // below options.vanish_coarse
   bool relaxed_ = false;            // nothing was left to do without turning a triangle over
-  std::vector<uint32_t> faceless_;  // slots without triangles that have not been folded into others
+  std::vector<uint32_t> faceless_;  // slots without triangles that have not been absorbed
   std::vector<uint32_t> thirds_, scratch_;
   std::vector<FanFace> fan_;
 };

@@ -66,7 +66,7 @@ uint32_t collapsesToReach(const CollapseSequence& sequence, const Mesh& mesh, ui
   uint32_t count = 0;
   while (count < sequence.collapses.size() && (count == 0 || sequence.collapses[count - 1].triangles > triangles))
     ++count;
-  // The folds that end a level belong to it: they leave the triangles as they are.
+  // The absorptions that end a level belong to it: they leave the triangles as they are.
   while (count > 0 && count < sequence.collapses.size() &&
          sequence.collapses[count].triangles == sequence.collapses[count - 1].triangles)
     ++count;

@@ -9,8 +9,8 @@
 
 namespace lithe::bake {
 
-/// How many collapses bring the mesh to at most `triangles` triangles, with the folds that follow the last of them; all
-/// of them if none does.
+/// How many collapses bring the mesh to at most `triangles` triangles, with the absorptions that follow the last of
+/// them; all of them if none does.
 uint32_t collapsesToReach(const CollapseSequence& sequence, const Mesh& mesh, uint32_t triangles);
 
 /// Influences as a reader's floats.

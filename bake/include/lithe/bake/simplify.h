@@ -48,7 +48,7 @@ struct SimplifyOptions {
   double weight_gain = 0.1;
 
   /// Triangle counts of the levels, in any order; the end of the sequence is one beside them. Where a level ends, nodes
-  /// without triangles are folded into others, and the nodes made since the last level are refit.
+  /// without triangles are absorbed by others, and the nodes made since the last level are refit.
   std::vector<uint32_t> levels;
   /// Refit: move nodes to where the posed surface lies closest to the original's. Only the metric `articulated` does
   /// so.
@@ -68,7 +68,7 @@ const std::vector<std::string>& metricNames();
 /// lies in
 ///         the grid; every skin has at most mesh.max_influences influences and sums to mesh.weight_one. `triangles`
 ///         counts triangles with the same three nodes in the same orientation once, whatever their wedges and parts.
-///         Nodes that have lost all their triangles are folded into others where a level ends: such a collapse changes
+///         Nodes that have lost all their triangles are absorbed by others where a level ends: such a collapse changes
 ///         no triangle, and its parent is child[0] again. So every node of a level has triangles, unless none is left
 ///         at all.
 /// @throws Error for an unknown metric (listing the names), no poses, or a palette of another size

@@ -51,8 +51,8 @@ constexpr void octahedralDirection(Int2 p, int32_t center, int32_t direction[3])
 
 /// Where a parent's direction lies between its children's, which are `d` apart in the square: half way, wherever the
 /// parent itself lies, since an average is nearer to what the surface around it shows than the direction of the child
-/// that it happens to be close to. Directions too far apart have no average worth showing; and what undoes a fold (a
-/// split that makes no face) has a parent that is all that its host was: those keep t8.
+/// that it happens to be close to. Directions too far apart have no average worth showing; and what undoes an
+/// absorption (a split that makes no face) has a parent that is all that its host was: those keep t8.
 constexpr int32_t directionEighths(Int2 d, int32_t t8, bool makes_faces, int32_t center) {
   const int32_t x = d.x < 0 ? -d.x : d.x, y = d.y < 0 ? -d.y : d.y;
   return makes_faces && x + y <= center ? 4 : t8;

@@ -103,7 +103,7 @@ TEST_P(EveryMetric, ReachesAnyTargetOnNonManifoldManyComponentInput) {
   const auto reached = std::find_if(sequence.collapses.begin(), sequence.collapses.end(),
                                     [](const Collapse& c) { return c.triangles <= 10; });
   for (auto it = reached; it != sequence.collapses.end(); ++it) {
-    EXPECT_EQ(it->triangles, reached->triangles) << "only folds follow";
+    EXPECT_EQ(it->triangles, reached->triangles) << "only absorptions follow";
   }
   expectValid(mesh, sequence, options());
 }

@@ -3,7 +3,7 @@
 // Where nodes without triangles go.
 //
 // A component that vanishes leaves nodes behind that no edge leads away from. Kept apart they would be stored, skinned
-// and carried through every coarser level for nothing; so each is folded into a node near it that is still in use.
+// and carried through every coarser level for nothing; so each is absorbed by a node near it that is still in use.
 #pragma once
 
 #include <cstdint>

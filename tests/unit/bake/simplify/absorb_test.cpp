@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-#include "fold.h"
+#include "absorb.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ uint32_t partOf(const Mesh& mesh, uint32_t vertex) {
   return kNone;
 }
 
-/// What fold.h promises, by looking at every slot.
+/// What absorb.h promises, by looking at every slot.
 uint32_t hostByHand(uint32_t slot, const Mesh& mesh, const Surface& surface, bool any_part) {
   uint32_t best = kNone;
   for (uint32_t host = 0; host < mesh.vertexCount(); ++host) {
@@ -98,7 +98,7 @@ TEST(NearestHosts, AreNoneWhereNoTriangleIsLeft) {
   for (uint32_t host : nearestHosts(faceless, mesh, stateOf(mesh), surface)) EXPECT_EQ(host, kNone);
 }
 
-TEST(Fold, EveryNodeOfALevelHasTriangles) {
+TEST(Absorption, EveryNodeOfALevelHasTriangles) {
   const Mesh mesh = weldQuietly(confetti(150, 12.0f, 2, 4));
   SimplifyOptions options;
   options.levels = {90, 40, 12};
@@ -114,27 +114,28 @@ TEST(Fold, EveryNodeOfALevelHasTriangles) {
   }
 }
 
-TEST(Fold, ChangesNoTriangle) {
+TEST(Absorption, ChangesNoTriangle) {
   const Mesh mesh = weldQuietly(confetti(60, 8.0f, 2, 5));
   SimplifyOptions options;
   options.levels = {20};
   options.min_triangles = 20;
   const CollapseSequence sequence = simplify(mesh, std::vector<Joint>(2), bendingPoses(3, 60.0, 4.0), options);
-  uint32_t folds = 0;
+  uint32_t absorptions = 0;
   for (uint32_t i = 1; i < sequence.collapses.size(); ++i) {
-    const Collapse& fold = sequence.collapses[i];
-    if (fold.triangles != sequence.collapses[i - 1].triangles) continue;
-    ++folds;
-    const uint32_t host = fold.child[0];
+    const Collapse& absorption = sequence.collapses[i];
+    if (absorption.triangles != sequence.collapses[i - 1].triangles) continue;
+    ++absorptions;
+    const uint32_t host = absorption.child[0];
     const bool is_vertex = host < mesh.vertexCount();
-    EXPECT_EQ(fold.t8, 0);
-    EXPECT_EQ(fold.position, is_vertex ? mesh.positions[host] : sequence.collapses[host - mesh.vertexCount()].position);
-    EXPECT_EQ(fold.skin, is_vertex ? mesh.skins[host] : sequence.collapses[host - mesh.vertexCount()].skin);
+    EXPECT_EQ(absorption.t8, 0);
+    EXPECT_EQ(absorption.position,
+              is_vertex ? mesh.positions[host] : sequence.collapses[host - mesh.vertexCount()].position);
+    EXPECT_EQ(absorption.skin, is_vertex ? mesh.skins[host] : sequence.collapses[host - mesh.vertexCount()].skin);
   }
-  EXPECT_GT(folds, 0u);
+  EXPECT_GT(absorptions, 0u);
 }
 
-TEST(Fold, IsNotDoneWhereNothingIsLeft) {
+TEST(Absorption, IsNotDoneWhereNothingIsLeft) {
   const Mesh mesh = weldQuietly(confetti(5, 4.0f, 1, 7));
   const CollapseSequence sequence = simplify(mesh, std::vector<Joint>(2), bendingPoses(3, 60.0, 2.0), {});
   EXPECT_EQ(sequence.collapses.back().triangles, 0u);

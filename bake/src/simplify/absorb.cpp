@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-#include "fold.h"
+#include "absorb.h"
 
 #include <algorithm>
 #include <limits>
