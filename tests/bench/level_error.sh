@@ -22,18 +22,11 @@ frames=${LITHE_FRAMES:-6}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
+source "$root/tests/bench/characters.sh"
 
 default_characters() {
   printf '%s\n' column centipede figure
-  [ -d "$models" ] || return 0
-  find "$models" \( -name '*.glb' -o -name '*.gltf' \) -not -path '*/assetgen/*' -not -name column.glb | LC_ALL=C sort
-}
-
-name_of() {
-  local name
-  name=$(basename "${1%.*}")
-  if [ "$name" = scene ]; then name=$(basename "$(dirname "$1")"); fi
-  echo "$name"
+  shared_characters | grep -v '/column\.glb$' || true
 }
 
 # summarize NAME POSES: the table of `lithe verify --against` on stdin as rows

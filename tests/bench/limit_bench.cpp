@@ -76,15 +76,17 @@ std::vector<Rms> measure(const bake::Model& model) {
   frame_options.position_bits = 16;
   frame_options.precision = 31;
   const Simplified all = simplified(model, bake::choosePoses(model, options.poses), options);
+  std::vector<bake::Model> cuts;
+  for (const double share : kShares)
+    cuts.push_back(bake::cutToModel(model, all.mesh, all.sequence, all.triangles(share)));
   std::vector<Rms> rms(std::size(kShares));
   for (const bake::Pose& pose : judgedPoses(model)) {
     const std::vector<glm::dvec3> original = bake::skinPositions(model, pose);
     const bake::Model frame = frozen(model, original);
     const Simplified alone = simplified(frame, {bake::restPose(frame)}, frame_options);
     for (size_t i = 0; i < std::size(kShares); ++i) {
-      const uint32_t triangles = all.triangles(kShares[i]);
-      const bake::Model cut = bake::cutToModel(model, all.mesh, all.sequence, triangles);
-      const bake::Model best = bake::cutToModel(frame, alone.mesh, alone.sequence, triangles);
+      const bake::Model& cut = cuts[i];
+      const bake::Model best = bake::cutToModel(frame, alone.mesh, alone.sequence, all.triangles(kShares[i]));
       const std::vector<glm::dvec3> at(best.positions.begin(), best.positions.end());
       rms[i].lithe += distanceBetween(model, original, cut, bake::skinPositions(cut, pose)) / kFrames;
       rms[i].limit += distanceBetween(model, original, best, at) / kFrames;

@@ -14,6 +14,7 @@ lithe=$build/bake/lithe
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
+source "$root/tests/bench/characters.sh"
 
 # ---- The table
 
@@ -40,18 +41,6 @@ json() {
 
 # calculate EXPRESSION [FORMAT]
 calculate() { awk "BEGIN { printf \"${2:-%.3f}\", ($1) }"; }
-
-shared_characters() {
-  [ -d "$models" ] || return 0
-  find "$models" \( -name '*.glb' -o -name '*.gltf' \) -not -path '*/assetgen/*' | LC_ALL=C sort
-}
-
-name_of() {
-  local name
-  name=$(basename "${1%.*}")
-  if [ "$name" = scene ]; then name=$(basename "$(dirname "$1")"); fi
-  echo "$name"
-}
 
 # ---- Posed error
 

@@ -3,12 +3,12 @@
 #include "simplified.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 
 #include "lithe/bake/simplify.h"
 #include "lithe/bake/weld.h"
 #include "pipeline/attribute_choice.h"
+#include "pipeline/levels.h"
 #include "pipeline/weight_bits.h"
 
 namespace lithe::bench {
@@ -26,9 +26,7 @@ bake::Mesh welded(const bake::Model& model, const std::vector<bake::Pose>& poses
 
 }  // namespace
 
-uint32_t Simplified::triangles(double share) const {
-  return static_cast<uint32_t>(std::max(1.0, std::round(share * mesh.triangleCount())));
-}
+uint32_t Simplified::triangles(double share) const { return bake::trianglesOf(share, mesh); }
 
 Simplified simplified(const bake::Model& model, const std::vector<bake::Pose>& poses,
                       const bake::BakeOptions& options) {

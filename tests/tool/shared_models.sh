@@ -2,14 +2,13 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 # Real characters through the whole tool: bake, verify, info, and export at shares of their triangles, which must be hit
-# within a percent (or within what one split cannot avoid: half of the two triangles that it brings on a closed surface, or
-# of four where two more stop being equal to others).
+# within a percent (or within the one triangle that a split of a closed surface cannot avoid).
 #     shared_models.sh TOOL FOLDER MODELS
 models=$(cd "$3" 2>/dev/null && pwd) || { echo "SKIPPED: there is no folder $3 with characters"; exit 77; }
 source "$(dirname "${BASH_SOURCE[0]}")/tool.sh"
 
-# close GOT WANTED: within a percent or two triangles
-close() { awk -v a="$1" -v b="$2" 'BEGIN { d = a > b ? a - b : b - a; exit !(d <= 2 || d <= 0.01 * b) }'; }
+# close GOT WANTED: within a percent or a triangle
+close() { awk -v a="$1" -v b="$2" 'BEGIN { d = a > b ? a - b : b - a; exit !(d <= 1 || d <= 0.01 * b) }'; }
 zero() { awk -v a="$1" 'BEGIN { exit !(a == 0) }'; }
 tiny() { awk -v a="$1" 'BEGIN { exit !(a <= 1e-6) }'; }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "attribute_choice.h"
 #include "levels.h"
@@ -91,12 +90,12 @@ class Pipeline {
     simplify.metric = options_.metric;
     simplify.placement_shift = options_.precision;
     simplify.threads = options_.threads;
-    const double least =
-        options_.levels.empty() ? 1.0 : *std::min_element(options_.levels.begin(), options_.levels.end());
-    simplify.min_triangles = static_cast<uint32_t>(std::max(1.0, std::round(least * mesh_.triangleCount())));
     simplify.refit = options_.refit;
-    for (double share : options_.levels)
-      simplify.levels.push_back(static_cast<uint32_t>(std::max(1.0, std::round(share * mesh_.triangleCount()))));
+    simplify.min_triangles = mesh_.triangleCount();
+    for (double share : options_.levels) {
+      simplify.levels.push_back(trianglesOf(share, mesh_));
+      simplify.min_triangles = std::min(simplify.min_triangles, simplify.levels.back());
+    }
     simplify.progress = progressOf("simplify");
     return simplify;
   }

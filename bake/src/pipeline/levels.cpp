@@ -9,14 +9,17 @@
 
 namespace lithe::bake {
 
+uint32_t trianglesOf(double share, const Mesh& mesh) {
+  return static_cast<uint32_t>(std::max(1.0, std::round(share * mesh.triangleCount())));
+}
+
 std::vector<LevelPlan> planLevels(const CollapseSequence& sequence, const Mesh& mesh,
                                   const std::vector<double>& shares) {
   std::vector<uint32_t> collapses = {0};
   std::vector<double> descending = shares;
   std::sort(descending.rbegin(), descending.rend());
   for (double share : descending) {
-    const double target = std::max(1.0, std::round(share * mesh.triangleCount()));
-    const uint32_t count = collapsesToReach(sequence, mesh, static_cast<uint32_t>(target));
+    const uint32_t count = collapsesToReach(sequence, mesh, trianglesOf(share, mesh));
     if (count >= collapses.back() + kMinLevelCollapses) collapses.push_back(count);
   }
   // The sequence's end is the base, whatever the distance to the last level.

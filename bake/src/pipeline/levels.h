@@ -11,6 +11,9 @@
 
 namespace lithe::bake {
 
+/// How many triangles a share of the finest level is; at least one.
+uint32_t trianglesOf(double share, const Mesh& mesh);
+
 /// The cuts, coarse to fine, without their errors.
 std::vector<LevelPlan> planLevels(const CollapseSequence& sequence, const Mesh& mesh,
                                   const std::vector<double>& shares);

@@ -24,15 +24,18 @@ class Cuts {
   uint32_t splits() const { return order_.count; }
 
   /// The faces after the first `splits` splits, equal ones (same nodes, same orientation) once, in the file's order.
-  std::vector<CutFace> faces(uint32_t splits) const;
+  /// @param also  a later split, by its place in the order, of a node that the first ones have made
+  std::vector<CutFace> faces(uint32_t splits, uint32_t also = LITHE_NO_INDEX) const;
 
-  /// The faces of the cut whose number of faces is closest to `target`.
+  /// The faces of the cut whose number of faces is closest to `target`. Where the next split brings too many, one that
+  /// follows soon takes its turn.
   std::vector<CutFace> facesNear(uint32_t target) const;
 
   uint32_t part(const CutFace& face) const { return hierarchy_.wedge_part[face[0]]; }
 
  private:
-  std::vector<uint32_t> standIns(uint32_t splits) const;
+  std::vector<uint32_t> standIns(uint32_t splits, uint32_t also) const;
+  std::vector<uint32_t> possibleSplits(uint32_t splits, uint32_t count) const;
   CutFace nodesOf(const CutFace& face) const;
   void dropEqual(std::vector<CutFace>& faces) const;
 
