@@ -7,18 +7,16 @@
 #include <stdlib.h>
 
 static void* takeMemory(void* user, size_t size, size_t alignment) {
-  void* memory = NULL;
-  (void)user;
-  return posix_memalign(&memory, alignment < sizeof memory ? sizeof memory : alignment, size) == 0 ? memory : NULL;
+  void* memory = NULL; /* lithe asks for an alignment of at most 64 */
+  return (void)user, (void)alignment, posix_memalign(&memory, 64, size) == 0 ? memory : NULL;
 }
 static void freeMemory(void* user, void* memory, size_t size) { (void)user, (void)size, free(memory); }
 static const lithe_allocator kAllocator = {NULL, takeMemory, freeMemory};
 
 static void* readBytes(FILE* file, uint64_t offset, size_t size) {
   void* bytes = malloc(size);
-  if (bytes && (fseek(file, (long)offset, SEEK_SET) != 0 || fread(bytes, 1, size, file) != size))
-    free(bytes), bytes = NULL;
-  return bytes;
+  const int whole = bytes && fseek(file, (long)offset, SEEK_SET) == 0 && fread(bytes, 1, size, file) == size;
+  return whole ? bytes : (free(bytes), NULL);
 }
 
 /* Opens the head of the file: a few KiB that say everything about the character but its surface. */
@@ -34,7 +32,6 @@ static lithe_result openAsset(FILE* file, lithe_asset** asset) {
   return result;
 }
 
-/* Reads the pages that are missing for a level. */
 static lithe_result pullLevel(lithe_asset* asset, FILE* file, uint32_t level) {
   lithe_request request;
   lithe_result result = LITHE_OK;

@@ -13,6 +13,7 @@ check_hello() {
   [ -f "$1/README.md" ] || return 0
   diff <(blocks_of "$1/README.md" c) "$1/samples/01_hello/hello.c" >"$scratch/diff" ||
     echo "README.md: its C program is not samples/01_hello/hello.c: $(sed -n 2p "$scratch/diff")"
+  [ "$(wc -l <"$1/samples/01_hello/hello.c")" -le 80 ] || echo "samples/01_hello/hello.c: more than 80 lines"
 }
 
 # compile_blocks ROOT PAGE LANGUAGE COMMAND...: nothing to do where the page has no such piece
@@ -52,6 +53,11 @@ break_hello() {
   echo 'int main(void) { return 0; }' | write "$1/samples/01_hello/hello.c"
   printf '# x\n```c\nint main(void) { return 1; }\n```\n' | write "$1/README.md"
   expected="README.md: its C program is not samples/01_hello/hello.c"
+}
+break_length() {
+  yes '/* */' | head -n 81 | write "$1/samples/01_hello/hello.c"
+  { printf '# x\n```c\n'; yes '/* */' | head -n 81; printf '```\n'; } | write "$1/README.md"
+  expected="samples/01_hello/hello.c: more than 80 lines"
 }
 break_c() {
   printf '```c\n#include <lithe/runtime.h>\n```\ntext\n```c\nuint32_t f(void) { return lithe_verison(); }\n```\n' | write "$1/docs/x.md"
