@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "lithe/format/file.h"
-#include "lithe/format/octahedral.h"
+#include "lithe/format/octahedral_chart.h"
 #include "page_base.h"
 #include "sort.h"
 
@@ -299,7 +299,7 @@ void SplitDecoder::gatherRing(uint32_t node, uint32_t wedge) {
       neighbours_);
 }
 
-format::Int2 SplitDecoder::normalDifference(uint32_t wedge) const {
+format::Int2 SplitDecoder::normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const {
   const uint32_t child_a = out_->node_count - 2;
   format::ChildNormals normals{{position(child_a), position(child_a + 1)}, {}};
   auto position_of = [&](uint32_t node) { return position(node); };
@@ -307,7 +307,7 @@ format::Int2 SplitDecoder::normalDifference(uint32_t wedge) const {
       fan_, [&](uint32_t i) { return scratch_.wedge[i] == wedge; }, scratch_.at_b, position_of);
   for (uint32_t i = 0; !listed_ && i < face_count_; ++i)
     normals.addCut(position(ring_faces_[i].third), ring_faces_[i].first_is_a);
-  return format::normalDifference(normals.normal[0], normals.normal[1], static_cast<int32_t>(format_.normal_center));
+  return format::normalDifference(normals.normal[0], normals.normal[1], chart);
 }
 
 /// Of an entry of the records.
@@ -317,6 +317,20 @@ int32_t SplitDecoder::predict(const uint16_t* parent, uint32_t at, int32_t stren
   return format::scaled(strength, neighbours_.slopeOf([&](uint32_t wedge) {
     return int32_t{out_->wedge_attributes[static_cast<size_t>(wedge) * stride + at]} - int32_t{parent[at]};
   }));
+}
+
+/// Of the two entries of a direction, in the chart around the parent's.
+format::Int2 SplitDecoder::predictDirection(const uint16_t* parent, uint32_t at, const format::OctahedralChart& chart,
+                                            int32_t strength) const {
+  if (strength == 0) return {0, 0};
+  const uint32_t stride = format_.layout.stride;
+  format::Slope slope[2];
+  auto point = [&](uint32_t wedge) {
+    const uint16_t* p = out_->wedge_attributes + static_cast<size_t>(wedge) * stride + at;
+    return chart.fromSquare({p[0], p[1]});
+  };
+  neighbours_.slopesOf(point, chart.fromSquare({parent[at], parent[at + 1]}), slope);
+  return {format::scaled(strength, slope[0]), format::scaled(strength, slope[1])};
 }
 
 int32_t SplitDecoder::predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const {
@@ -334,18 +348,13 @@ bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, format::Int2 p
   const int64_t exact_y = int64_t{residual(high, static_cast<int32_t>(shift))} + predicted.y;
   if (exact_x < -2 * size || exact_x > 2 * size || exact_y < -2 * size || exact_y > 2 * size) return false;
   const format::Int2 d{static_cast<int32_t>(exact_x), static_cast<int32_t>(exact_y)};
-  const int32_t eighths = format::directionEighths(d, t8, face_count_ > 0, center);
-  const format::Int2 x{parent[0] - format::eighths(d.x, eighths), parent[1] - format::eighths(d.y, eighths)};
-  const format::Int2 at_b = format::octahedralFold(x, center);
-  const format::Int2 at_a = format::octahedralFold({x.x + d.x, x.y + d.y}, center);
-  const format::Int2 points[2] = {at_a, at_b};
-  for (format::Int2 p : points)
-    if (p.x < 0 || p.x > size || p.y < 0 || p.y > size) return false;
-  a[0] = static_cast<uint16_t>(at_a.x);
-  a[1] = static_cast<uint16_t>(at_a.y);
-  b[0] = static_cast<uint16_t>(at_b.x);
-  b[1] = static_cast<uint16_t>(at_b.y);
-  return true;
+  const format::ChildDirections children =
+      format::splitDirection({parent[0], parent[1]}, d, t8, face_count_ > 0, center);
+  a[0] = static_cast<uint16_t>(children.a.x);
+  a[1] = static_cast<uint16_t>(children.a.y);
+  b[0] = static_cast<uint16_t>(children.b.x);
+  b[1] = static_cast<uint16_t>(children.b.y);
+  return children.valid;
 }
 
 uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
@@ -376,12 +385,17 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
 bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a,
                             uint16_t* b) {
   const uint8_t* parameters = streams_->parameters;
+  auto chartOf = [this](const uint16_t* direction, uint32_t at) {
+    return format::OctahedralChart::around({direction[at], direction[at + 1]},
+                                           static_cast<int32_t>(format_.normal_center));
+  };
   uint32_t at = 0;
   if (format_.has.normals) {
     const int32_t strength = parameters[format::kNormalGradient], geometry = parameters[format::kNormalGeometry];
-    const format::Int2 apart = predicted && geometry > 0 ? normalDifference(wedge) : format::Int2{0, 0};
-    const format::Int2 expected{predict(parent, at, strength) + ((geometry * apart.x) >> 4),
-                                predict(parent, at + 1, strength) + ((geometry * apart.y) >> 4)};
+    const auto chart = chartOf(parent, at);
+    const format::Int2 apart = predicted && geometry > 0 ? normalDifference(wedge, chart) : format::Int2{0, 0};
+    const format::Int2 slope = predictDirection(parent, at, chart, strength);
+    const format::Int2 expected{slope.x + ((geometry * apart.x) >> 4), slope.y + ((geometry * apart.y) >> 4)};
     IntReader* normals = streams_->values[format::kNormals];
     if (!readDirection(normals, parameters[format::kNormalShift], expected, t8, parent, a, b)) return false;
     at += 2;
@@ -389,7 +403,7 @@ bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const ui
   if (format_.has.tangents) {
     IntReader* tangents = streams_->values[format::kTangents];
     const int32_t strength = parameters[format::kTangentGradient];
-    const format::Int2 expected{predict(parent, at, strength), predict(parent, at + 1, strength)};
+    const format::Int2 expected = predictDirection(parent, at, chartOf(parent, at), strength);
     if (!readDirection(&tangents[0], parameters[format::kTangentShift], expected, t8, parent + at, a + at, b + at))
       return false;
     const uint32_t flips = static_cast<uint32_t>(tangents[1].next());

@@ -3,7 +3,7 @@
 /// Applies the splits of a page, one after the other, to the current cut.
 #pragma once
 
-#include "lithe/format/octahedral.h"
+#include "lithe/format/octahedral_chart.h"
 #include "lithe/format/ring_prediction.h"
 #include "page_streams.h"
 #include "skin_order.h"
@@ -66,8 +66,10 @@ class SplitDecoder {
   uint32_t readAttributes(uint32_t node, int32_t t8);
   bool readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
   void gatherRing(uint32_t node, uint32_t wedge);
-  format::Int2 normalDifference(uint32_t wedge) const;
+  format::Int2 normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const;
   int32_t predict(const uint16_t* parent, uint32_t at, int32_t strength) const;
+  format::Int2 predictDirection(const uint16_t* parent, uint32_t at, const format::OctahedralChart& chart,
+                                int32_t strength) const;
   int32_t predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const;
   format::Int3 position(uint32_t node) const {
     const int32_t* p = out_->node_position + 3 * static_cast<size_t>(node);

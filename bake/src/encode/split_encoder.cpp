@@ -272,12 +272,20 @@ void SplitEncoder::writeWedges(uint32_t node, const Plan& plan, const format::Fa
   cut_.addNode(plan.b, wedges_b);
 }
 
-format::Int2 SplitEncoder::directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b,
-                                               const Plan& plan) const {
-  auto point = [&](uint32_t wedge) { return format::Int2{attributes(wedge)[at], attributes(wedge)[at + 1]}; };
-  const auto d = octahedralDifference(point(parent), point(b), point(a), plan.directionRule(settings_.normal_center));
+// In the chart around the parent's direction.
+Residual SplitEncoder::directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
+                                         const format::RingNeighbours& ring) const {
+  const format::Int2 p = direction(parent, at);
+  const auto d =
+      octahedralDifference(p, direction(b, at), direction(a, at), plan.directionRule(settings_.normal_center));
   if (!d) throw Error("a direction cannot be recovered from its parent: this is a fault of lithe, please report it");
-  return *d;
+  Residual residual;
+  residual.components = 2;
+  residual.difference = {d->x, d->y, 0};
+  const auto chart = format::OctahedralChart::around(p, settings_.normal_center);
+  auto point = [&](uint32_t neighbour) { return chart.fromSquare(direction(cut_.wedge_hierarchy[neighbour], at)); };
+  ring.slopesOf(point, chart.fromSquare(p), residual.slope.data());
+  return residual;
 }
 
 bool SplitEncoder::isPredicted(uint32_t node, const format::Fan& fan) const {
@@ -296,14 +304,15 @@ format::RingNeighbours SplitEncoder::ringOf(uint32_t node, uint32_t wedge, const
   return ring;
 }
 
-format::Int2 SplitEncoder::normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan) const {
+format::Int2 SplitEncoder::normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan,
+                                            const format::OctahedralChart& chart) const {
   format::ChildNormals normals{{positionOf(plan.a), positionOf(plan.b)}, {}};
   auto position_of = [&](uint32_t node) { return filePosition(node); };
   normals.addFan(
       fan, [&](uint32_t i) { return cornerWedge(fan.corner[i]) == wedge; }, plan.at_b, position_of);
   for (const NewFace& face : plan.faces)
     if (face.ring_at != kNone) normals.addCut(filePosition(face.third), face.first_is_a);
-  return format::normalDifference(normals.normal[0], normals.normal[1], settings_.normal_center);
+  return format::normalDifference(normals.normal[0], normals.normal[1], chart);
 }
 
 void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
@@ -315,38 +324,36 @@ void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& 
     const uint32_t node = cut_.wedge_node[wedge];
     const bool predicted = isPredicted(node, fan);
     const format::RingNeighbours ring = predicted ? ringOf(node, wedge, plan, fan) : format::RingNeighbours{};
-    auto pair = [&](Residual::Kind kind, uint32_t set, uint32_t at, format::Int2 d) {
-      Residual residual;
-      residual.kind = kind;
-      residual.set = static_cast<uint8_t>(set);
-      residual.components = 2;
-      residual.difference = {d.x, d.y, 0};
-      for (uint32_t c = 0; c < 2; ++c)
-        residual.slope[c] = ring.slopeOf([&](uint32_t neighbour) {
-          return attributes(cut_.wedge_hierarchy[neighbour])[at + c] - attributes(parent)[at + c];
-        });
-      return residual;
-    };
     if (record.normal != kNone) {
-      Residual residual =
-          pair(Residual::Kind::kNormal, 0, record.normal, directionDifference(record.normal, parent, a, b, plan));
-      const format::Int2 apart = predicted ? normalDifference(wedge, plan, fan) : format::Int2{0, 0};
+      Residual residual = directionResidual(record.normal, parent, a, b, plan, ring);
+      residual.kind = Residual::Kind::kNormal;
+      const auto chart = format::OctahedralChart::around(direction(parent, record.normal), settings_.normal_center);
+      const format::Int2 apart = predicted ? normalDifference(wedge, plan, fan, chart) : format::Int2{0, 0};
       residual.geometry = {apart.x, apart.y, 0};
       residuals_.add(residual);
     }
     if (record.tangent != kNone) {
-      residuals_.add(
-          pair(Residual::Kind::kTangent, 0, record.tangent, directionDifference(record.tangent, parent, a, b, plan)));
+      Residual residual = directionResidual(record.tangent, parent, a, b, plan, ring);
+      residual.kind = Residual::Kind::kTangent;
+      residuals_.add(residual);
       const uint32_t sign = record.tangent + 2;
       page_.streams[format::kTangents].attributes[1].values.push_back(
           (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));
     }
     const glm::ivec3 d = glm::abs(cut_.h.position[plan.a] - cut_.h.position[plan.b]);
     for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) {
-      const uint32_t at = record.uv[s];
-      Residual residual = pair(Residual::Kind::kUv, s, at,
-                               {attributes(a)[at] - attributes(b)[at], attributes(a)[at + 1] - attributes(b)[at + 1]});
+      Residual residual;
+      residual.kind = Residual::Kind::kUv;
+      residual.set = static_cast<uint8_t>(s);
+      residual.components = 2;
       residual.extent = static_cast<uint32_t>(std::max({d.x, d.y, d.z}));
+      for (uint32_t c = 0; c < 2; ++c) {
+        const uint32_t at = record.uv[s] + c;
+        residual.difference[c] = attributes(a)[at] - attributes(b)[at];
+        residual.slope[c] = ring.slopeOf([&](uint32_t neighbour) {
+          return attributes(cut_.wedge_hierarchy[neighbour])[at] - attributes(parent)[at];
+        });
+      }
       residuals_.add(residual);
     }
     for (uint32_t s = 0; s < settings_.has.color_sets; ++s)

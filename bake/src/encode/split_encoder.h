@@ -5,7 +5,7 @@
 
 #include "cut.h"
 #include "lithe/bake/octahedral_difference.h"
-#include "lithe/format/octahedral.h"
+#include "lithe/format/octahedral_chart.h"
 #include "page_streams.h"
 #include "residuals.h"
 #include "skin_code.h"
@@ -62,11 +62,16 @@ class SplitEncoder {
   void writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan, const format::Fan& fan);
   void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
                        const Plan& plan, const format::Fan& fan);
-  format::Int2 directionDifference(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan) const;
+  Residual directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
+                             const format::RingNeighbours& ring) const;
+  format::Int2 direction(uint32_t hierarchy_wedge, uint32_t at) const {
+    return {attributes(hierarchy_wedge)[at], attributes(hierarchy_wedge)[at + 1]};
+  }
   bool isPredicted(uint32_t node, const format::Fan& fan) const;
   uint32_t cornerWedge(uint32_t corner) const { return cut_.face_wedges[corner / 3][corner % 3]; }
   format::RingNeighbours ringOf(uint32_t node, uint32_t wedge, const Plan& plan, const format::Fan& fan) const;
-  format::Int2 normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan) const;
+  format::Int2 normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan,
+                                const format::OctahedralChart& chart) const;
   format::Int3 filePosition(uint32_t node) const { return positionOf(cut_.node_hierarchy[node]); }
   format::Int3 positionOf(uint32_t hierarchy_node) const {
     const glm::ivec3& p = cut_.h.position[hierarchy_node];

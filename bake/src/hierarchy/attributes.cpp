@@ -23,12 +23,32 @@ WedgeRecord wedgeRecord(const AttributeSet& attributes) {
   return record;
 }
 
+namespace {
+
+/// The square's border has some directions twice: a reader gets one of the two points.
+void useReadersPoint(int32_t* point, int32_t center) {
+  int32_t direction[3];
+  format::octahedralDirection({point[0], point[1]}, center, direction);
+  const format::Int2 p = format::octahedralPointOf(direction, center);
+  point[0] = p.x;
+  point[1] = p.y;
+}
+
+}  // namespace
+
 void gatherAttributes(const Mesh& mesh, uint32_t wedge, const WedgeRecord& record, int32_t* out) {
   auto put = [out](uint32_t at, const auto& value) {
     for (int i = 0; i < value.length(); ++i) out[at + i] = value[i];
   };
-  if (record.normal != kNone) put(record.normal, mesh.wedge_normal[wedge]);
-  if (record.tangent != kNone) put(record.tangent, mesh.wedge_tangent[wedge]);
+  const int32_t center = format::octahedralCenter(mesh.normal_bits);
+  if (record.normal != kNone) {
+    put(record.normal, mesh.wedge_normal[wedge]);
+    useReadersPoint(out + record.normal, center);
+  }
+  if (record.tangent != kNone) {
+    put(record.tangent, mesh.wedge_tangent[wedge]);
+    useReadersPoint(out + record.tangent, center);
+  }
   for (uint32_t s = 0; s < mesh.attributes.uv_sets; ++s) put(record.uv[s], mesh.wedge_uv[s][wedge]);
   for (uint32_t s = 0; s < mesh.attributes.color_sets; ++s) put(record.color[s], mesh.wedge_color[s][wedge]);
 }

@@ -8,6 +8,7 @@
 
 namespace lithe::bake {
 
+/// A wedge's record; directions are the points that a reader gets, see format::octahedralPointOf().
 void gatherAttributes(const Mesh& mesh, uint32_t wedge, const WedgeRecord& record, int32_t* out);
 
 /// The record at t8 eighths between two wedges; its directions by the rule. Octahedral directions go the short way over

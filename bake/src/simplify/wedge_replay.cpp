@@ -30,14 +30,11 @@ WedgeValue valueOf(const Mesh& mesh, uint32_t wedge) {
   return value;
 }
 
-/// Half way between two directions as in a file (format::directionEighths), but on the sphere; t8 decides where they
-/// are far apart, the nearer one where they cancel out.
+/// Half way between two directions as in a file (format::directionEighths), but on the sphere; the one that t8 is nearer
+/// to where they are more than a third of a turn apart.
 glm::vec3 blendDirections(const glm::vec3& v, const glm::vec3& u, int32_t t8) {
-  if (glm::dot(v, u) > 0.0f) t8 = 4;
-  const glm::dvec3 sum = (8.0 - t8) * glm::dvec3(v) + double(t8) * glm::dvec3(u);
-  const double length = glm::length(sum);
-  if (length < 1e-3) return t8 < 4 ? v : u;
-  return glm::vec3(sum / length);
+  if (glm::dot(v, u) < -0.5f) return t8 < 4 ? v : u;
+  return glm::vec3(glm::normalize(glm::dvec3(v) + glm::dvec3(u)));
 }
 
 template <class Vector>

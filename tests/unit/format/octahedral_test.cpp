@@ -119,12 +119,28 @@ TEST(Octahedral, FoldBringsEveryPointOneSquareAwayBack) {
     }
 }
 
-TEST(DirectionEighths, AreHalfWayUnlessFarApartOrFolded) {
-  for (int32_t t8 = 0; t8 <= 8; ++t8) {
-    EXPECT_EQ(directionEighths({3, -4}, t8, true, 7), 4);
-    EXPECT_EQ(directionEighths({-4, -4}, t8, true, 7), t8);
-    EXPECT_EQ(directionEighths({3, -4}, t8, false, 7), t8);
-  }
+TEST(Octahedral, PointsOfDirections) {
+  for (const int32_t c : {octahedralCenter(4), octahedralCenter(6)})
+    for (int32_t y = 0; y <= 2 * c; ++y)
+      for (int32_t x = 0; x <= 2 * c; ++x) {
+        const Direction direction = directionOf({x, y}, c);
+        const Int2 p = octahedralPointOf(direction.data(), c);
+        ASSERT_EQ(directionOf(p, c), direction) << x << " " << y;
+        const bool border = x == 0 || x == 2 * c || y == 0 || y == 2 * c;
+        if (!border) {
+          ASSERT_TRUE(p.x == x && p.y == y) << x << " " << y;
+        }
+      }
+}
+
+TEST(Octahedral, OfTwoBorderPointsTheOneOnThePositiveHalf) {
+  const auto point = [](Direction d) {
+    const Int2 p = octahedralPointOf(d.data(), 7);
+    return std::array<int32_t, 2>{p.x, p.y};
+  };
+  EXPECT_EQ(point({3, 0, -4}), (std::array<int32_t, 2>{14, 11}));
+  EXPECT_EQ(point({0, -3, -4}), (std::array<int32_t, 2>{11, 0}));
+  EXPECT_EQ(point({0, 0, -7}), (std::array<int32_t, 2>{14, 14}));
 }
 
 }  // namespace

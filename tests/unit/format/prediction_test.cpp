@@ -182,13 +182,18 @@ TEST(AreaNormal, OctahedralPointIsTheDirections) {
 }
 
 TEST(AreaNormal, DifferenceAcrossAFoldIsNothing) {
-  const int32_t center = octahedralCenter(10);
-  const Int2 near = normalDifference({1000, 0, 50}, {1000, 0, 100}, center);
+  const int32_t up[3] = {0, 0, 1}, along_x[3] = {1, 0, 0};
+  const OctahedralChart chart(up, octahedralCenter(10));
+  const Int2 near = normalDifference({1000, 0, 50}, {1000, 0, 100}, chart);
   EXPECT_GT(near.x, 0);
   EXPECT_EQ(near.y, 0);
-  const Int2 across = normalDifference({-100, 5, -1000}, {100, 5, -1000}, center);
+  const Int2 across = normalDifference({-100, 5, -1000}, {100, 5, -1000}, chart);
   EXPECT_EQ(across.x, 0);
   EXPECT_EQ(across.y, 0);
+  // From +x the same two are no fold apart where they lie: z is the chart's second axis.
+  const Int2 seen = normalDifference({1000, 0, 50}, {1000, 0, 100}, OctahedralChart(along_x, octahedralCenter(10)));
+  EXPECT_EQ(seen.x, 0);
+  EXPECT_LT(seen.y, 0);
 }
 
 }  // namespace

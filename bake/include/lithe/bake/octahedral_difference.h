@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-/// Differences of octahedral directions that a reader can undo given only the parent direction and t8.
+/// Parents and differences of octahedral directions that a reader can undo given only the parent's direction and t8.
+/// All points are those of the square whose pole is +z, and border points those of format::octahedralPointOf(): a
+/// reader gets no others.
 #pragma once
 
 #include <optional>
 
-#include "lithe/format/octahedral.h"
+#include "lithe/format/octahedral_chart.h"
 
 namespace lithe::bake {
 
@@ -16,17 +18,17 @@ struct DirectionRule {
   bool makes_faces;  ///< the split that undoes it makes faces
 
   int32_t eighths(format::Int2 d) const { return format::directionEighths(d, t8, makes_faces, center); }
+  format::ChildDirections split(format::Int2 parent, format::Int2 d) const {
+    return format::splitDirection(parent, d, t8, makes_faces, center);
+  }
 };
 
-/// The difference D (b to a, possibly over a fold) with which a reader gets b and a from their parent:
-///     x = parent - eighths(D, rule.eighths(D)), b = fold(x), a = fold(x + D).
-/// The shortest one; nothing when there is none.
+/// The difference D (b to a in the parent's chart, possibly over a fold) with which format::splitDirection() gives b
+/// and a. A short one; nothing when there is none.
 std::optional<format::Int2> octahedralDifference(format::Int2 parent, format::Int2 b, format::Int2 a,
                                                  DirectionRule rule);
 
-/// A parent between b and a for which octahedralDifference exists, whichever child comes first: over the fold
-/// when that is the shorter way, else straight across the square. A child on the square's border can only be reached
-/// from inside: a reader's fold leaves it where it is, though its other half of the edge is the same direction.
+/// A parent between b and a for which octahedralDifference() exists, whichever child comes first.
 format::Int2 octahedralBetween(format::Int2 b, format::Int2 a, DirectionRule rule);
 
 }  // namespace lithe::bake

@@ -49,13 +49,13 @@ constexpr void octahedralDirection(Int2 p, int32_t center, int32_t direction[3])
   direction[2] = z;
 }
 
-/// Where a parent's direction lies between its children's, which are `d` apart in the square: half way, wherever the
-/// parent itself lies, since an average is nearer to what the surface around it shows than the direction of the child
-/// that it happens to be close to. Directions too far apart have no average worth showing; and what undoes an
-/// absorption (a split that makes no face) has a parent that is all that its host was: those keep t8.
-constexpr int32_t directionEighths(Int2 d, int32_t t8, bool makes_faces, int32_t center) {
-  const int32_t x = d.x < 0 ? -d.x : d.x, y = d.y < 0 ? -d.y : d.y;
-  return makes_faces && x + y <= center ? 4 : t8;
+/// The point of a direction with |x| + |y| + |z| = c: of the two that the border has for some, the one on the positive
+/// half of its edge.
+constexpr Int2 octahedralPointOf(const int32_t direction[3], int32_t center) {
+  const int32_t x = direction[0], y = direction[1];
+  if (direction[2] >= 0) return {center + x, center + y};
+  const int32_t abs_x = x < 0 ? -x : x, abs_y = y < 0 ? -y : y;
+  return {x < 0 ? abs_y : 2 * center - abs_y, y < 0 ? abs_x : 2 * center - abs_x};
 }
 
 }  // namespace lithe::format

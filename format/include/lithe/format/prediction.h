@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "lithe/format/octahedral.h"
+#include "lithe/format/octahedral_chart.h"
 #include "lithe/format/placement.h"
 
 namespace lithe::format {
@@ -154,6 +154,12 @@ struct Plane {
   }
 };
 
+/// A normal as the chart has its components.
+constexpr AreaNormal turned(AreaNormal n, const OctahedralChart& chart) {
+  const int64_t v[3] = {n.x, n.y, n.z};
+  return {v[chart.across[0]], v[chart.across[1]], chart.sign * v[chart.axis]};
+}
+
 /// The octahedral point of a normal, rounded; the centre (the positive z axis) for no normal.
 constexpr Int2 octahedralPoint(AreaNormal n, int32_t center) {
   const int64_t ax = n.x < 0 ? -n.x : n.x, ay = n.y < 0 ? -n.y : n.y, az = n.z < 0 ? -n.z : n.z;
@@ -165,9 +171,10 @@ constexpr Int2 octahedralPoint(AreaNormal n, int32_t center) {
   return {n.x < 0 ? center - x : center + x, n.y < 0 ? center - y : center + y};
 }
 
-/// The difference of two normals' octahedral points; 0 where they lie far apart (most likely across a fold).
-constexpr Int2 normalDifference(AreaNormal a, AreaNormal b, int32_t center) {
-  const Int2 pa = octahedralPoint(a, center), pb = octahedralPoint(b, center);
+/// The difference of two normals' points in a chart; 0 where they lie far apart (most likely across a fold).
+constexpr Int2 normalDifference(AreaNormal a, AreaNormal b, const OctahedralChart& chart) {
+  const int32_t center = chart.center;
+  const Int2 pa = octahedralPoint(turned(a, chart), center), pb = octahedralPoint(turned(b, chart), center);
   const Int2 d{pa.x - pb.x, pa.y - pb.y};
   return absolute(d.x) > center || absolute(d.y) > center ? Int2{0, 0} : d;
 }

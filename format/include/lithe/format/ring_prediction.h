@@ -25,6 +25,18 @@ struct RingNeighbours {
     for (uint32_t i = 0; i < count; ++i) moment.add(r[i], value(wedge[i]));
     return gradient.of(moment);
   }
+
+  /// Of a direction: point(wedge) is the neighbour's in the chart around the parent's, which is at `parent`.
+  template <class Point>
+  void slopesOf(const Point& point, Int2 parent, Slope slope[2]) const {
+    Moment moment[2];
+    for (uint32_t i = 0; i < count; ++i) {
+      const Int2 p = point(wedge[i]);
+      moment[0].add(r[i], p.x - parent.x);
+      moment[1].add(r[i], p.y - parent.y);
+    }
+    for (uint32_t c = 0; c < 2; ++c) slope[c] = gradient.of(moment[c]);
+  }
 };
 
 /// Of the fan's corners for whose index includes(i) is true; a fan beyond kMaxRing has none.

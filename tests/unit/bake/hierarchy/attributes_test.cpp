@@ -76,9 +76,14 @@ TEST(AttributesBetween, ExchangingTheEndsGivesTheSame) {
 }
 
 TEST(AttributesBetween, DirectionsGoOverTheFold) {
-  // See OctahedralDifference.OverTheFoldWhereThatIsShorter.
-  EXPECT_EQ(between({true, false, 0, 0}, {1, 5}, {1, 9}, 4), (Values{0, 5}));
-  EXPECT_EQ(between({false, true, 0, 0}, {1, 5, 1}, {1, 9, 1}, 4), (Values{0, 5, 1}));
+  // (-4, -1, -2) and (-4, 1, -2): half way is (-5, 0, -2).
+  EXPECT_EQ(between({true, false, 0, 0}, {1, 4}, {1, 10}, 4, true), (Values{0, 9}));
+  EXPECT_EQ(between({false, true, 0, 0}, {1, 4, 1}, {1, 10, 1}, 4, true), (Values{0, 9, 1}));
+}
+
+TEST(AttributesBetween, WithoutNewFacesDirectionsAreTheNearerChilds) {
+  EXPECT_EQ(between({true, false, 0, 0}, {5, 7}, {9, 8}, 3), (Values{5, 7}));
+  EXPECT_EQ(between({true, false, 0, 0}, {5, 7}, {9, 8}, 5), (Values{9, 8}));
 }
 
 TEST(AttributesBetween, DirectionsLieHalfWayWhereTheSplitMakesFaces) {
