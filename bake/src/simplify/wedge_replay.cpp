@@ -30,8 +30,8 @@ WedgeValue valueOf(const Mesh& mesh, uint32_t wedge) {
   return value;
 }
 
-/// Half way between two directions as in a file (format::directionEighths), but on the sphere; the one that t8 is nearer
-/// to where they are more than a third of a turn apart.
+/// Half way between two directions as in a file (format::directionEighths), but on the sphere; the one that t8 is
+/// nearer to where they are more than a third of a turn apart.
 glm::vec3 blendDirections(const glm::vec3& v, const glm::vec3& u, int32_t t8) {
   if (glm::dot(v, u) < -0.5f) return t8 < 4 ? v : u;
   return glm::vec3(glm::normalize(glm::dvec3(v) + glm::dvec3(u)));
