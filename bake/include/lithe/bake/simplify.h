@@ -45,7 +45,7 @@ struct SimplifyOptions {
   double vanish_coarse = 0.03;
   /// An optimised skin replaces the interpolated one (which costs nothing in the file) only where it lowers the cost by
   /// more than this share.
-  double weight_gain = 0.1;
+  double weight_gain = 0.3;
 
   /// Triangle counts of the levels, in any order; the end of the sequence is one beside them. Where a level ends, nodes
   /// without triangles are absorbed by others, and the nodes made since the last level are refit.
