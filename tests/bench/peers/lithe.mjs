@@ -41,7 +41,8 @@ export function exportSkinned(file, baked, simplified, target) {
   }
 }
 
-// Lengths in thousandths of the rest diagonal; rms, normals, flipped and uv are means of the frames, hausdorff the largest.
+// Lengths in thousandths of the rest diagonal; rms, normals, flipped and uv are means of the frames, hausdorff the largest. null: the
+// character has no such attribute.
 export function measure(file, simplified, { anim, frames }) {
   const report = `${simplified}.json`, sampled = !new GltfFile(file).json.animations?.length;
   const count = Number(frames) + (sampled ? SAMPLED_BY_THE_BAKE : 0);
@@ -49,7 +50,7 @@ export function measure(file, simplified, { anim, frames }) {
   const { original, simplified: { triangles }, frames: all } = JSON.parse(fs.readFileSync(report, 'utf8'));
   const judged = all.slice(sampled ? SAMPLED_BY_THE_BAKE : 0);
   const larger = (key) => judged.map((frame) => Math.max(frame.original_to_simplified[key], frame.simplified_to_original[key]));
-  const mean = (key) => larger(key).reduce((a, b) => a + b, 0) / judged.length;
+  const mean = (key) => (judged[0].symmetric[key] === undefined ? null : larger(key).reduce((a, b) => a + b, 0) / judged.length);
   return {
     skinned: original.triangles, triangles, rms: 1e3 * mean('rms'), hausdorff: 1e3 * Math.max(...larger('max')),
     normals: mean('normal_degrees'), flipped: 100 * mean('flipped'), uv: mean('uv_rms'), uvMedian: mean('uv_median'),
