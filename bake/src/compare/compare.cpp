@@ -12,6 +12,7 @@
 #include "frames.h"
 #include "posed_surface.h"
 #include "seams.h"
+#include "silhouette.h"
 #include "surface_error.h"
 
 namespace lithe::bake {
@@ -81,6 +82,8 @@ FrameReport measureFrame(const Comparison& c, const Instant& instant, uint64_t n
   frame.original_to_simplified = scaled(surfaceError(original, simplified, forth), unit, 1.0);
   frame.simplified_to_original = scaled(surfaceError(simplified, original, back), unit, 1.0);
   frame.symmetric = largerOf(frame.original_to_simplified, frame.simplified_to_original);
+  frame.silhouette = silhouetteDifference(original.posed.positions, c.original.triangles, simplified.posed.positions,
+                                          c.simplified.triangles);
   frame.seam = measureSeams(c.seams, original.posed.positions, simplified.posed.positions);
   frame.seam.gap *= unit;
   frame.seam.opened *= unit;
@@ -104,11 +107,14 @@ void summarizeFrames(CompareReport& report) {
   for (const FrameReport& frame : report.frames) {
     accumulate(report.mean, frame.symmetric);
     report.worst = largerOf(report.worst, frame.symmetric);
+    report.mean_silhouette += frame.silhouette;
+    report.worst_silhouette = std::max(report.worst_silhouette, frame.silhouette);
     report.seam.gap = std::max(report.seam.gap, frame.seam.gap);
     report.seam.opened = std::max(report.seam.opened, frame.seam.opened);
   }
   const double share = 1.0 / static_cast<double>(report.frames.size());
   report.mean = scaled(report.mean, share, share);
+  report.mean_silhouette *= share;
 }
 
 double weightSumError(const Surface& surface) {

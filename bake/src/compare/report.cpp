@@ -21,9 +21,9 @@ using Json = nlohmann::ordered_json;
   return line;
 }
 
-std::string frameLine(const std::string& name, const SurfaceError& e, bool has_uv) {
-  std::string line = formatted("%-24.24s %10.3e %10.3e %10.3e %10.3e %8.2f %8.3f", name.c_str(), e.rms, e.mean, e.p999,
-                               e.max, e.normal_degrees, 100.0 * e.flipped);
+std::string frameLine(const std::string& name, const SurfaceError& e, double silhouette, bool has_uv) {
+  std::string line = formatted("%-24.24s %10.3e %10.3e %10.3e %10.3e %8.2f %8.3f %10.3f", name.c_str(), e.rms, e.mean,
+                               e.p999, e.max, e.normal_degrees, 100.0 * e.flipped, 100.0 * silhouette);
   if (has_uv) line += formatted(" %10.3e %10.3e", e.uv_rms, e.uv_median);
   return line + "\n";
 }
@@ -55,6 +55,7 @@ Json frameJson(const FrameReport& frame, Measured measured) {
           {"original_to_simplified", lengthsAndShares(frame.original_to_simplified, measured)},
           {"simplified_to_original", lengthsAndShares(frame.simplified_to_original, measured)},
           {"symmetric", lengthsAndShares(frame.symmetric, measured)},
+          {"silhouette", frame.silhouette},
           {"seam_gap", frame.seam.gap},
           {"seam_opened", frame.seam.opened}};
 }
@@ -69,13 +70,14 @@ std::string compareText(const CompareReport& r) {
                     r.simplified_vertices, 100.0 * r.simplified_triangles / r.original_triangles);
   text += formatted("%zu frames, %u samples each way; lengths as fractions of the rest diagonal, %.6g\n\n",
                     r.frames.size(), r.samples, r.rest_diagonal);
-  text += formatted("%-24s %10s %10s %10s %10s %8s %8s", "frame", "rms", "mean", "99.9 %", "max", "normal", "flipped");
+  text += formatted("%-24s %10s %10s %10s %10s %8s %8s %10s", "frame", "rms", "mean", "99.9 %", "max", "normal",
+                    "flipped", "silhouette");
   text += r.has_uv ? formatted(" %10s %10s\n", "uv rms", "uv median") : "\n";
-  text += formatted("%-24s %10s %10s %10s %10s %8s %8s\n", "", "", "", "", "", "degrees", "% area");
+  text += formatted("%-24s %10s %10s %10s %10s %8s %8s %10s\n", "", "", "", "", "", "degrees", "% area", "% area");
   for (size_t i = 0; i < r.frames.size(); ++i)
-    text += frameLine(nameOf(r.frames[i], i), r.frames[i].symmetric, r.has_uv);
-  text += frameLine("mean of frames", r.mean, r.has_uv);
-  text += frameLine("worst frame", r.worst, r.has_uv);
+    text += frameLine(nameOf(r.frames[i], i), r.frames[i].symmetric, r.frames[i].silhouette, r.has_uv);
+  text += frameLine("mean of frames", r.mean, r.mean_silhouette, r.has_uv);
+  text += frameLine("worst frame", r.worst, r.worst_silhouette, r.has_uv);
   text += formatted("\nrms_mean %.4e (%.6g units), largest distance %.4e (%.6g units)\n", r.mean.rms,
                     r.mean.rms * r.rest_diagonal, r.worst.max, r.worst.max * r.rest_diagonal);
   if (r.beyond) {
@@ -101,6 +103,8 @@ std::string compareJson(const CompareReport& r) {
   json["max_absolute"] = r.worst.max * r.rest_diagonal;
   json["mean_of_frames"] = lengthsAndShares(r.mean, measured);
   json["worst_frame"] = lengthsAndShares(r.worst, measured);
+  json["mean_of_frames"]["silhouette"] = r.mean_silhouette;
+  json["worst_frame"]["silhouette"] = r.worst_silhouette;
   json["seam_gap"] = r.seam.gap;
   json["seam_opened"] = r.seam.opened;
   json["weight_sum_error"] = r.weight_sum_error;

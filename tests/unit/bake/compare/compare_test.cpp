@@ -316,6 +316,9 @@ TEST(CompareReports, TextAndJsonSayTheSame) {
   EXPECT_EQ(json["frames"].size(), 2u);
   EXPECT_DOUBLE_EQ(json["frames"][0]["original_to_simplified"]["max"].get<double>(),
                    report.frames[0].original_to_simplified.max);
+  EXPECT_DOUBLE_EQ(json["mean_of_frames"]["silhouette"].get<double>(), report.mean_silhouette);
+  EXPECT_DOUBLE_EQ(json["worst_frame"]["silhouette"].get<double>(), report.worst_silhouette);
+  EXPECT_DOUBLE_EQ(json["frames"][1]["silhouette"].get<double>(), report.frames[1].silhouette);
   const std::string text = compareText(report);
   char headline[64];
   std::snprintf(headline, sizeof headline, "rms_mean %.4e", report.mean.rms);
