@@ -8,6 +8,7 @@ export const FIGURES = [
   { key: 'hausdorff', title: 'Hausdorff distance over all frames, thousandths of the rest diagonal', digits: 2, factor: true, slack: 0.04 },
   { key: 'normals', title: 'Normal deviation, degrees', digits: 2, slack: 0.02 },
   { key: 'flipped', title: 'Flipped area, %', digits: 3, slack: 0.01 },
+  { key: 'silhouette', title: 'Silhouette that differs, % of its area', digits: 3, factor: true, slack: 0.03 },
   { key: 'uv', title: 'uv deviation, RMS', digits: 4, slack: 1e-3 },
   { key: 'uvMedian', title: 'uv deviation, median', digits: 5, slack: 1e-5 },
   { key: 'seconds', title: 'Seconds (lithe: its bake, which serves every count, and the export; wasm for meshopt and gltfpack, files read and written)', digits: 2 },

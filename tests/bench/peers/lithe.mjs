@@ -41,18 +41,19 @@ export function exportSkinned(file, baked, simplified, target) {
   }
 }
 
-// Lengths in thousandths of the rest diagonal; rms, normals, flipped and uv are means of the frames, hausdorff the largest. null: the
-// character has no such attribute.
+// Lengths in thousandths of the rest diagonal; flipped area and silhouettes in percent. hausdorff is the largest of the frames, the others
+// are means. null: the character has no such attribute.
 export function measure(file, simplified, { anim, frames }) {
   const report = `${simplified}.json`, sampled = !new GltfFile(file).json.animations?.length;
   const count = Number(frames) + (sampled ? SAMPLED_BY_THE_BAKE : 0);
   lithe('compare', file, simplified, '--anim', anim, '--frames', String(count), '--json', report, '--quiet');
   const { original, simplified: { triangles }, frames: all } = JSON.parse(fs.readFileSync(report, 'utf8'));
   const judged = all.slice(sampled ? SAMPLED_BY_THE_BAKE : 0);
-  const larger = (key) => judged.map((frame) => Math.max(frame.original_to_simplified[key], frame.simplified_to_original[key]));
-  const mean = (key) => (judged[0].symmetric[key] === undefined ? null : larger(key).reduce((a, b) => a + b, 0) / judged.length);
+  const values = (key) => judged.map((frame) => frame.symmetric[key] ?? frame[key] ?? null);
+  const mean = (key) => (values(key).includes(null) ? null : values(key).reduce((a, b) => a + b, 0) / judged.length);
   return {
-    skinned: original.triangles, triangles, rms: 1e3 * mean('rms'), hausdorff: 1e3 * Math.max(...larger('max')),
-    normals: mean('normal_degrees'), flipped: 100 * mean('flipped'), uv: mean('uv_rms'), uvMedian: mean('uv_median'),
+    skinned: original.triangles, triangles, rms: 1e3 * mean('rms'), hausdorff: 1e3 * Math.max(...values('max')),
+    normals: mean('normal_degrees'), flipped: 100 * mean('flipped'), silhouette: 100 * mean('silhouette'),
+    uv: mean('uv_rms'), uvMedian: mean('uv_median'),
   };
 }

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 # lithe beside meshoptimizer and gltfpack on the same skinned characters, at the same triangle counts, as markdown tables: posed
-# RMS and Hausdorff distance, normals, flipped area, uvs, seconds, their means, where a peer is better, and the verdict on lithe's targets.
+# RMS and Hausdorff distance, normals, flipped area, silhouettes, uvs, seconds, their means, where a peer is better, and the verdict on lithe's targets.
 #
 #     tests/bench/peers/run.sh --suite [--methods ...]       the built-in figure and column, and the shared characters
 #     tests/bench/peers/run.sh FILE... [--ratios 0.5,0.2,0.1,0.05] [--methods meshopt,meshopt-attr,...]

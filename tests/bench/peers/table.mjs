@@ -22,7 +22,7 @@ function summaryOf(rows, pick) {
   const factor = (key) => `${geometricMean(pairs.map(([lithe, peer]) => peer[key] / lithe[key])).toFixed(2)}x`;
   const more = (some, key, digits) => mean(some.map(([lithe, peer]) => peer[key] - lithe[key])).toFixed(digits);
   const uv = pairs.filter(([lithe]) => lithe.uv !== null);
-  return [pairs.length, factor('rms'), factor('hausdorff'), more(pairs, 'normals', 2), more(pairs, 'flipped', 3), uv.length ? more(uv, 'uv', 4) : '-'];
+  return [pairs.length, factor('rms'), factor('hausdorff'), more(pairs, 'normals', 2), more(pairs, 'flipped', 3), factor('silhouette'), uv.length ? more(uv, 'uv', 4) : '-'];
 }
 
 function summaryTable(rows, methods) {
@@ -30,7 +30,7 @@ function summaryTable(rows, methods) {
   picks.push(['best RMS of all', (row) => (peersOf(row).length ? bestOf(peersOf(row), 'rms') : undefined)]);
   const body = groupsOf(rows).flatMap(([name, group]) => picks.map(([method, pick]) => [name, method, summaryOf(group, pick)]))
     .filter(([, , summary]) => summary).map(([name, method, summary]) => [name, method, ...summary]);
-  const head = ['triangles', 'peer', 'cases', 'RMS / lithe', 'Hausdorff / lithe', 'normals, degrees more', 'flipped, % more', 'uv more'];
+  const head = ['triangles', 'peer', 'cases', 'RMS / lithe', 'Hausdorff / lithe', 'normals, degrees more', 'flipped, % more', 'silhouette / lithe', 'uv more'];
   return `Peers beside lithe: geometric means of the quotients, means of the differences; only where both reached the count:\n\n${table(head, body)}\n`;
 }
 

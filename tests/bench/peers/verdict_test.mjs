@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { flippedBehind, quotientOf, verdictOn } from './verdict.mjs';
 
-const figures = (method, value, more) => ({ method, triangles: 100, rms: value, hausdorff: value, normals: value, flipped: value, uv: value, uvMedian: value, seconds: 1, off: false, ...more });
+const figures = (method, value, more) => ({ method, triangles: 100, rms: value, hausdorff: value, normals: value, flipped: value, silhouette: value, uv: value, uvMedian: value, seconds: 1, off: false, ...more });
 const row = (name, ratio, ...results) => ({ name, ratio, results });
 const lineOf = (text, start) => text.split('\n').filter((line) => line.startsWith(start));
 
@@ -24,6 +24,11 @@ test('a mean above its target is missed', () => {
   const text = verdictOn([row('a', 0.5, figures('lithe', 43), figures('meshopt', 100))]);
   assert.match(lineOf(text, '| RMS')[0], /0\.430 .*\*\*missed\*\*/);
   assert.match(lineOf(text, '| Hausdorff')[0], /0\.430 .* holds/);
+});
+
+test('a figure without a target is told and judged by nothing', () => {
+  const text = verdictOn([row('a', 0.5, figures('lithe', 3), figures('meshopt', 2))]);
+  assert.deepEqual(lineOf(text, '| silhouette'), ['| silhouette | 1.500 | 1.500 | 1 | - | - |']);
 });
 
 test('results off the count do not count, and a case without any is named', () => {
