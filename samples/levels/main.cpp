@@ -19,7 +19,7 @@ struct Options {
   uint32_t columns = 5;
   int cell_width = 340, cell_height = 420;
   std::vector<std::string> rows{"shaded", "wires", "used"};
-  bool each = false;
+  bool each = false, plain = false;
 };
 
 void describe(CLI::App& app, Options& options) {
@@ -39,6 +39,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--rows", options.rows, "What the sheet shows of each level")
       ->delimiter(',')
       ->check(CLI::IsMember({"shaded", "wires", "checker", "used"}));
+  app.add_flag("--plain", options.plain, "No labels");
   app.add_flag("--each", options.each, "Write every level's own picture too");
 }
 
@@ -94,11 +95,11 @@ int rowHeight(const std::string& row, const Options& options) {
 Shot shotFor(const std::string& row, const LevelScene& scene, uint32_t index, const Options& options) {
   Shot shot{index, options.cell_width, rowHeight(row, options), 0, row == "wires", row == "checker", row != "used", {}};
   const lithe_level& level = scene.character().levels[index];
-  if (row == "shaded")
+  if (row == "shaded" && !options.plain)
     shot.labels = {grouped(level.triangle_count) + " triangles", grouped(level.bytes_end) + " bytes"};
   if (row == "used") {
     const float scale = usableScale(scene, index);
-    shot.labels = {usableText(scene, scale)};
+    if (!options.plain) shot.labels = {usableText(scene, scale)};
     const bool fits = scale * scene.posedHeight() < 0.7f * static_cast<float>(shot.height) &&
                       scale * scene.posedWidth() < 0.9f * static_cast<float>(shot.width);
     if (fits) shot.pixels_per_unit = scale;

@@ -18,7 +18,7 @@ const TARGETS = [
 const FLIPPED = FIGURES.find((figure) => figure.key === 'flipped');
 
 const caseName = (row) => `${row.name} ${percent(row.ratio)}`;
-const shippedOf = (row) => peersOf(row).filter((peer) => !UNSHIPPED.includes(peer.method));
+export const shippedOf = (row) => peersOf(row).filter((peer) => !UNSHIPPED.includes(peer.method));
 const verdictOf = (value, most) => (Number.isNaN(value) ? '-' : value <= most ? 'holds' : '**missed**');
 
 // Why a case is in no figure, or nothing.
