@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-// Whether lithe reaches its targets beside the best shipped tool. The best is taken per figure and per case: no single tool has to be
-// the best at everything, so this is the strictest reading.
-import { FIGURES, bestOf, geometricMean, groupsOf, isBehind, litheOf, peersOf, percent, table } from './figures.mjs';
+// Whether lithe reaches its targets beside the best shipped tool.
+import { FIGURES, bestOf, groupsOf, isBehind, litheOf, table } from './figures.mjs';
+import { UNSHIPPED, caseName, characterTable, definedOf, meanOf, quotientOf, shippedOf, whyLeftOut, worstOf } from './quotients.mjs';
 
-export const UNSHIPPED = ['meshopt-poses', 'meshopt-poses-update'];
 const WORST = 1.3;
 // mean: what the geometric mean of lithe / best may be at most; without it a figure is only told. worst: no single case may be above WORST.
 const TARGETS = [
@@ -17,29 +16,7 @@ const TARGETS = [
 ];
 const FLIPPED = FIGURES.find((figure) => figure.key === 'flipped');
 
-const caseName = (row) => `${row.name} ${percent(row.ratio)}`;
-export const shippedOf = (row) => peersOf(row).filter((peer) => !UNSHIPPED.includes(peer.method));
 const verdictOf = (value, most) => (Number.isNaN(value) ? '-' : value <= most ? 'holds' : '**missed**');
-
-// Why a case is in no figure, or nothing.
-function whyLeftOut(row) {
-  if (litheOf(row).failed) return 'lithe failed';
-  if (litheOf(row).off) return 'lithe is off the count';
-  return shippedOf(row).length ? null : 'no shipped tool reached the count';
-}
-
-// lithe / best shipped of one case. Two zeros are equal; one zero has no place in a geometric mean.
-export function quotientOf(row, key) {
-  const lithe = litheOf(row)[key], best = bestOf(shippedOf(row), key), peer = best[key];
-  if (lithe === null) return { row, why: 'the character has none' };
-  if (lithe === 0 && peer === 0) return { row, value: 1, peer: best.method };
-  if (lithe === 0 || peer === 0) return { row, why: `no quotient of lithe ${lithe} and ${best.method} ${peer}` };
-  return { row, value: lithe / peer, peer: best.method };
-}
-
-const definedOf = (rows, key) => rows.map((row) => quotientOf(row, key)).filter((quotient) => quotient.value !== undefined);
-const meanOf = (rows, key) => geometricMean(definedOf(rows, key).map((quotient) => quotient.value));
-const worstOf = (rows, key) => definedOf(rows, key).reduce((a, b) => (a.value > b.value ? a : b), { value: NaN });
 
 export function flippedBehind(rows) {
   return rows.filter((row) => isBehind(FLIPPED, litheOf(row).flipped, bestOf(shippedOf(row), 'flipped').flipped));
@@ -94,5 +71,6 @@ export function verdictOn(all) {
     '\nThe worst case of each, and over all beside which tool:\n', worstTable(groups),
     section('\nCases that miss a target:\n', missesOf(rows)),
     section('Left out:\n', leftOutOf(all, rows)),
+    ...TARGETS.map(({ key, name }) => characterTable(all, key, `lithe / best shipped by character, ${name}`)),
   ].join('\n');
 }

@@ -3,7 +3,8 @@
 // The verdict on rows whose quotients are worked out by hand.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { flippedBehind, quotientOf, verdictOn } from './verdict.mjs';
+import { quotientOf } from './quotients.mjs';
+import { flippedBehind, verdictOn } from './verdict.mjs';
 
 const figures = (method, value, more) => ({ method, triangles: 100, rms: value, hausdorff: value, normals: value, flipped: value, silhouette: value, uv: value, uvMedian: value, seconds: 1, off: false, ...more });
 const row = (name, ratio, ...results) => ({ name, ratio, results });
@@ -18,6 +19,11 @@ test('the best is taken per figure, and only of what is shipped', () => {
 test('means are geometric, per share and over all', () => {
   const rows = [row('a', 0.5, figures('lithe', 1), figures('meshopt', 2)), row('b', 0.5, figures('lithe', 1), figures('meshopt', 8)), row('a', 0.2, figures('lithe', 1), figures('meshopt', 4))];
   assert.deepEqual(lineOf(verdictOn(rows), '| RMS')[0], '| RMS | 0.250 | 0.250 | 0.250 | 3 | <= 0.42 | holds |');
+});
+
+test('each character has its own quotients', () => {
+  const rows = [row('a', 0.5, figures('lithe', 1), figures('meshopt', 2)), row('b', 0.5, figures('lithe', 1), figures('meshopt', 5)), row('a', 0.2, figures('lithe', 1), figures('meshopt', 8))];
+  assert.deepEqual([lineOf(verdictOn(rows), '| a')[0], lineOf(verdictOn(rows), '| b')[0]], ['| a | 0.50 | 0.13 | 0.25 |', '| b | 0.20 | - | 0.20 |']);
 });
 
 test('a mean above its target is missed', () => {
