@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 # What the pages promise exists: links lead to files, commands to scripts, and every `lithe COMMAND --option` to an
-# option that the tool's own help lists; and the figures that the README quotes stand in docs/measurements.md.
+# option that the tool's own help lists; and the figures that the README quotes stand in docs/measurements.md or docs/quality.md.
 # Environment: LITHE = the built tool; without it only files are checked.
 source "$(dirname "${BASH_SOURCE[0]}")/rule.sh"
 
@@ -46,7 +46,8 @@ check_figures() {
   [ -f "$1/README.md" ] || return 0
   { awk '/^#/ { inside = /^## Measured/; next } inside' "$1/README.md" | grep -oE '[0-9][0-9,.]*[0-9]' || true; } | sort -u |
     while IFS= read -r figure; do
-      grep -qF -- "$figure" "$1/docs/measurements.md" || echo "README.md: the figure $figure is not in docs/measurements.md"
+      grep -qsF -- "$figure" "$1/docs/measurements.md" "$1/docs/quality.md" ||
+        echo "README.md: the figure $figure is in neither docs/measurements.md nor docs/quality.md"
     done
 }
 
@@ -66,8 +67,10 @@ break_link() {
 }
 break_figure() {
   printf '12.34 and 5\n' | write "$1/docs/measurements.md"
-  printf '# x\n## Measured\n12.34 s, 12.35 s\n## Else\n77\n' | write "$1/README.md"
-  expected="README.md: the figure 12.35 is not in docs/measurements.md"
+  printf '12.36\n' | write "$1/docs/quality.md"
+  printf '# x\n## Measured\n12.34 s, 12.35 s, 12.36 s\n## Else\n77\n' | write "$1/README.md"
+  [[ $(check "$1") != *12.36* ]] || { echo "a figure that docs/quality.md has is not found: $(check "$1")"; return 1; }
+  expected="README.md: the figure 12.35 is in neither docs/measurements.md nor docs/quality.md"
 }
 break_script() {
   printf '```sh\ncd x && tests/rnu.sh # all\n```\n' | write "$1/README.md"
