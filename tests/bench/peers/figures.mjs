@@ -2,18 +2,22 @@
 // SPDX-License-Identifier: MIT
 // What is measured, what of it counts, and how figures become markdown.
 
+const FLOAT_ROUNDING = 2 ** -22;  // of uvs around 1
+
 // factor: a peer's value is also given as a multiple of lithe's. slack: a difference below it is noise, not a lead; of a factor, relative.
+// zero: a value up to it is none at all.
 export const FIGURES = [
   { key: 'rms', title: 'Posed RMS distance, thousandths of the rest diagonal', digits: 3, factor: true, slack: 0.003 },
   { key: 'hausdorff', title: 'Hausdorff distance over all frames, thousandths of the rest diagonal', digits: 2, factor: true, slack: 0.04 },
   { key: 'normals', title: 'Normal deviation, degrees', digits: 2, slack: 0.02 },
   { key: 'flipped', title: 'Flipped area, %', digits: 3, slack: 0.01 },
   { key: 'silhouette', title: 'Silhouette that differs, % of its area', digits: 3, factor: true, slack: 0.03 },
-  { key: 'uv', title: 'uv deviation, RMS', digits: 4, slack: 1e-3 },
-  { key: 'uvMedian', title: 'uv deviation, median', digits: 5, slack: 1e-5 },
+  { key: 'uv', title: 'uv deviation, RMS', digits: 4, slack: 1e-3, zero: FLOAT_ROUNDING },
+  { key: 'uvMedian', title: 'uv deviation, median', digits: 5, slack: 1e-5, zero: FLOAT_ROUNDING },
   { key: 'seconds', title: 'Seconds (lithe: its bake, which serves every count, and the export; wasm for meshopt and gltfpack, files read and written)', digits: 2 },
 ];
 
+export const figureOf = (key) => FIGURES.find((figure) => figure.key === key);
 export const litheOf = (row) => row.results[0];
 // Peers that came within 2 % of the count: no others count.
 export const peersOf = (row) => row.results.slice(1).filter((peer) => !peer.failed && !peer.off);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // lithe's figures over those of the best shipped tool. The best is taken per figure and per case: no single tool has to be the best at
 // everything, so this is the strictest reading.
-import { bestOf, geometricMean, groupsOf, litheOf, peersOf, percent, table } from './figures.mjs';
+import { bestOf, figureOf, geometricMean, groupsOf, litheOf, peersOf, percent, table } from './figures.mjs';
 
 export const UNSHIPPED = ['meshopt-poses', 'meshopt-poses-update'];
 
@@ -18,10 +18,10 @@ export function whyLeftOut(row) {
 
 // lithe / best shipped of one case. Two zeros are equal; one zero has no place in a geometric mean.
 export function quotientOf(row, key) {
-  const lithe = litheOf(row)[key], best = bestOf(shippedOf(row), key), peer = best[key];
+  const { zero = 0, digits } = figureOf(key), lithe = litheOf(row)[key], best = bestOf(shippedOf(row), key), peer = best[key];
   if (lithe === null) return { row, why: 'the character has none' };
-  if (lithe === 0 && peer === 0) return { row, value: 1, peer: best.method };
-  if (lithe === 0 || peer === 0) return { row, why: `no quotient of lithe ${lithe} and ${best.method} ${peer}` };
+  if (lithe <= zero && peer <= zero) return { row, value: 1, peer: best.method };
+  if (lithe <= zero || peer <= zero) return { row, why: `no quotient of lithe ${lithe.toFixed(digits)} and ${best.method} ${peer.toFixed(digits)}` };
   return { row, value: lithe / peer, peer: best.method };
 }
 

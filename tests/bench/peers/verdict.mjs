@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 // Whether lithe reaches its targets beside the best shipped tool.
-import { FIGURES, bestOf, groupsOf, isBehind, litheOf, table } from './figures.mjs';
+import { bestOf, figureOf, groupsOf, isBehind, litheOf, table } from './figures.mjs';
 import { UNSHIPPED, caseName, characterTable, definedOf, meanOf, quotientOf, shippedOf, whyLeftOut, worstOf } from './quotients.mjs';
 
 const WORST = 1.3;
@@ -14,7 +14,7 @@ const TARGETS = [
   { key: 'uv', name: 'uv RMS', mean: 1 },
   { key: 'uvMedian', name: 'uv median', mean: 1 },
 ];
-const FLIPPED = FIGURES.find((figure) => figure.key === 'flipped');
+const FLIPPED = figureOf('flipped');
 
 const verdictOf = (value, most) => (Number.isNaN(value) ? '-' : value <= most ? 'holds' : '**missed**');
 

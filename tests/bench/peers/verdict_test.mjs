@@ -49,8 +49,15 @@ test('two zeros are equal, and one zero is named', () => {
   assert.equal(quotientOf(both, 'uvMedian').value, 1);
   assert.equal(quotientOf(one, 'uvMedian').value, undefined);
   const text = verdictOn([both, one]);
-  assert.match(text, /\* uv median of b 50 %: no quotient of lithe 1 and meshopt 0/);
+  assert.match(text, /\* uv median of b 50 %: no quotient of lithe 1\.00000 and meshopt 0\.00000/);
   assert.match(lineOf(text, '| uv median')[0], /\| 1\.000 \| 1\.000 \| 1 \|/);
+});
+
+test('what rounding makes of a zero is a zero', () => {
+  const both = row('a', 0.5, figures('lithe', 1, { uvMedian: 1.2e-7 }), figures('meshopt', 2, { uvMedian: 1e-17 })), one = row('b', 0.5, figures('lithe', 1e-4), figures('meshopt', 2, { uvMedian: 1e-17 }));
+  assert.equal(quotientOf(both, 'uvMedian').value, 1);
+  assert.equal(quotientOf(one, 'uvMedian').value, undefined);
+  assert.equal(quotientOf(row('c', 0.5, figures('lithe', 1e-9), figures('meshopt', 2e-9)), 'rms').value, 0.5);
 });
 
 test('a figure that a character does not have is named and in no mean', () => {
