@@ -87,6 +87,13 @@ void Collapser::judgeAgain(uint32_t edge) {
   judged_ = edge;
 }
 
+// The posed position is not kept per edge.
+void Collapser::recall(uint32_t edge) {
+  const auto [a, b] = edges_.ends[edge];
+  metric_->placeAgain(a, b, placement_[edge], placer_);
+  judged_ = edge;
+}
+
 bool Collapser::collapseNext(Collapse& collapse) {
   for (;;) {
     if (queue_.empty() && !refill()) return false;
@@ -101,7 +108,7 @@ bool Collapser::collapseNext(Collapse& collapse) {
       queue_.set(edge, loss);
       continue;
     }
-    if (judged_ != edge) judgeAgain(edge);  // for the posed position, which is not kept per edge
+    if (judged_ != edge) recall(edge);
     if (!mayCollapse(edge)) {
       block(edge);
       continue;

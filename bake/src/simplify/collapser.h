@@ -38,6 +38,7 @@ class Collapser {
   uint32_t stampOf(uint32_t edge) const { return version_[edges_.ends[edge][0]] + version_[edges_.ends[edge][1]]; }
   bool isStale(uint32_t edge) const { return stamp_[edge] != stampOf(edge); }
   void judgeAgain(uint32_t edge);
+  void recall(uint32_t edge);
   bool mayCollapse(uint32_t edge);
   double lossOf(uint32_t edge);
   bool turnsOver(uint32_t from, uint32_t other) const;

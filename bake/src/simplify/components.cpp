@@ -72,35 +72,50 @@ glm::vec3 firstPose(const PosedMesh& posed, uint32_t slot) {
 }  // namespace
 
 Components::Components(const Surface& surface, const PosedMesh& posed) : pose_count_(posed.pose_count) {
+  const auto slot_count = static_cast<uint32_t>(posed.positions.size() / posed.blocks);
   uint32_t count = 0;
-  component_ = labelComponents(surface, static_cast<uint32_t>(posed.positions.size() / posed.blocks), count);
+  component_ = labelComponents(surface, slot_count, count);
   loss_.assign(count, -1.0);
-  for (uint32_t id = 0; id < surface.faceCount(); ++id) {
-    const auto& corner = surface.face(id).corner;
-    triangles_.push_back(
-        {firstPose(posed, corner[0]), firstPose(posed, corner[1]), firstPose(posed, corner[2]), component_[corner[0]]});
-  }
-  sorted_.resize(triangles_.size());
-  std::iota(sorted_.begin(), sorted_.end(), 0u);
-  buildBox(0, static_cast<uint32_t>(sorted_.size()));
-
-  first_.assign(count + 1, 0);
-  for (const Triangle& t : triangles_) ++first_[t.component + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  members_.resize(triangles_.size());
-  std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
-  for (uint32_t i = 0; i < triangles_.size(); ++i) members_[next[triangles_[i].component]++] = i;
+  position_.resize(slot_count);
+  for (uint32_t slot = 0; slot < slot_count; ++slot) position_[slot] = firstPose(posed, slot);
+  corner_.resize(surface.faceCount());
+  for (uint32_t id = 0; id < surface.faceCount(); ++id) corner_[id] = surface.face(id).corner;
 }
 
-uint32_t Components::buildBox(uint32_t begin, uint32_t end) {
+Components::Triangle Components::triangle(uint32_t face) const {
+  const auto& [a, b, c] = corner_[face];
+  return {position_[a], position_[b], position_[c]};
+}
+
+void Components::sortByComponent() {
+  first_.assign(loss_.size() + 1, 0);
+  for (uint32_t face = 0; face < corner_.size(); ++face) ++first_[componentOf(face) + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  members_.resize(corner_.size());
+  std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
+  for (uint32_t face = 0; face < corner_.size(); ++face) members_[next[componentOf(face)]++] = face;
+}
+
+void Components::buildTree() {
+  std::vector<glm::vec3> thrice_centre(corner_.size());
+  for (uint32_t face = 0; face < corner_.size(); ++face) {
+    const Triangle t = triangle(face);
+    thrice_centre[face] = t.a + t.b + t.c;
+  }
+  sorted_.resize(corner_.size());
+  std::iota(sorted_.begin(), sorted_.end(), 0u);
+  buildBox(0, static_cast<uint32_t>(sorted_.size()), thrice_centre);
+}
+
+uint32_t Components::buildBox(uint32_t begin, uint32_t end, const std::vector<glm::vec3>& thrice_centre) {
   const auto id = static_cast<uint32_t>(boxes_.size());
-  const Triangle& first = triangles_[sorted_[begin]];
-  Box box{first.a, first.a, begin, end, kNone, kNone, first.component};
+  const glm::vec3 start = triangle(sorted_[begin]).a;
+  Box box{start, start, begin, end, kNone, kNone, componentOf(sorted_[begin])};
   for (uint32_t i = begin; i < end; ++i) {
-    const Triangle& t = triangles_[sorted_[i]];
+    const Triangle t = triangle(sorted_[i]);
     box.lower = glm::min(box.lower, glm::min(t.a, glm::min(t.b, t.c)));
     box.upper = glm::max(box.upper, glm::max(t.a, glm::max(t.b, t.c)));
-    if (t.component != box.only_component) box.only_component = kNone;
+    if (componentOf(sorted_[i]) != box.only_component) box.only_component = kNone;
   }
   boxes_.push_back(box);
   if (end - begin <= kLeafFaces) return id;
@@ -108,10 +123,12 @@ uint32_t Components::buildBox(uint32_t begin, uint32_t end) {
   const glm::vec3 extent = box.upper - box.lower;
   const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
   const uint32_t middle = (begin + end) / 2;
-  const auto center = [&](uint32_t i) { return triangles_[i].a[axis] + triangles_[i].b[axis] + triangles_[i].c[axis]; };
   std::nth_element(sorted_.begin() + begin, sorted_.begin() + middle, sorted_.begin() + end,
-                   [&](uint32_t s, uint32_t t) { return center(s) != center(t) ? center(s) < center(t) : s < t; });
-  const uint32_t left = buildBox(begin, middle), right = buildBox(middle, end);
+                   [&](uint32_t s, uint32_t t) {
+                     const float at_s = thrice_centre[s][axis], at_t = thrice_centre[t][axis];
+                     return at_s != at_t ? at_s < at_t : s < t;
+                   });
+  const uint32_t left = buildBox(begin, middle, thrice_centre), right = buildBox(middle, end, thrice_centre);
   boxes_[id].left = left;
   boxes_[id].right = right;
   return id;
@@ -119,6 +136,7 @@ uint32_t Components::buildBox(uint32_t begin, uint32_t end) {
 
 double Components::squaredDistanceToOthers(const glm::vec3& point, uint32_t component) const {
   double nearest = 1.0;  // the posed diagonal, squared
+  if (boxes_.empty()) return nearest;
   std::vector<uint32_t> stack{0};
   while (!stack.empty()) {
     const Box& box = boxes_[stack.back()];
@@ -126,8 +144,9 @@ double Components::squaredDistanceToOthers(const glm::vec3& point, uint32_t comp
     if (box.only_component == component || squaredDistanceToBox(point, box.lower, box.upper) >= nearest) continue;
     if (box.left == kNone) {
       for (uint32_t i = box.begin; i < box.end; ++i) {
-        const Triangle& t = triangles_[sorted_[i]];
-        if (t.component != component) nearest = std::min(nearest, squaredDistanceToTriangle(point, t.a, t.b, t.c));
+        if (componentOf(sorted_[i]) == component) continue;
+        const Triangle t = triangle(sorted_[i]);
+        nearest = std::min(nearest, squaredDistanceToTriangle(point, t.a, t.b, t.c));
       }
       continue;
     }
@@ -143,11 +162,15 @@ double Components::squaredDistanceToOthers(const glm::vec3& point, uint32_t comp
 double Components::lossOf(uint32_t slot) {
   const uint32_t component = component_[slot];
   if (loss_[component] >= 0.0) return loss_[component];
+  if (first_.empty()) {
+    sortByComponent();
+    if (loss_.size() > 1) buildTree();
+  }
   const uint32_t count = first_[component + 1] - first_[component];
   const uint32_t stride = (count + kSampledFaces - 1) / kSampledFaces;
   double weighted = 0.0, sampled_area = 0.0, area = 0.0;
   for (uint32_t i = 0; i < count; ++i) {
-    const Triangle& t = triangles_[members_[first_[component] + i]];
+    const Triangle t = triangle(members_[first_[component] + i]);
     const double face_area = 0.5 * glm::length(glm::cross(glm::dvec3(t.b - t.a), glm::dvec3(t.c - t.a)));
     area += face_area;
     if (i % stride != 0) continue;

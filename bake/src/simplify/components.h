@@ -3,6 +3,7 @@
 // What is lost when a connected component disappears: its area times the squared distance to what would be left.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "posed_mesh.h"
@@ -23,7 +24,6 @@ class Components {
  private:
   struct Triangle {
     glm::vec3 a, b, c;
-    uint32_t component;
   };
   struct Box {
     glm::vec3 lower, upper;
@@ -32,16 +32,23 @@ class Components {
     uint32_t only_component;  // kNone when several
   };
 
-  uint32_t buildBox(uint32_t begin, uint32_t end);
+  uint32_t componentOf(uint32_t face) const { return component_[corner_[face][0]]; }
+  Triangle triangle(uint32_t face) const;
+  void sortByComponent();
+  void buildTree();
+  uint32_t buildBox(uint32_t begin, uint32_t end, const std::vector<glm::vec3>& thrice_centre);
   double squaredDistanceToOthers(const glm::vec3& point, uint32_t component) const;
 
   uint32_t pose_count_;
-  std::vector<uint32_t> component_;  // per slot
-  std::vector<double> loss_;         // per component, negative: not known yet
-  std::vector<Triangle> triangles_;
-  std::vector<uint32_t> first_, members_;  // triangles by component: members_[first_[c] .. first_[c + 1])
-  std::vector<uint32_t> sorted_;           // triangles by box
-  std::vector<Box> boxes_;
+  std::vector<uint32_t> component_;              // per slot
+  std::vector<double> loss_;                     // per component, negative: not known yet
+  std::vector<glm::vec3> position_;              // per slot, in the first pose
+  std::vector<std::array<uint32_t, 3>> corner_;  // per face: slots
+
+  // Made when the first loss is asked for: most characters of one component never do.
+  std::vector<uint32_t> first_, members_;  // faces by component: members_[first_[c] .. first_[c + 1])
+  std::vector<uint32_t> sorted_;           // faces by box
+  std::vector<Box> boxes_;                 // none where there is one component only
 };
 
 }  // namespace lithe::bake

@@ -74,9 +74,8 @@ LITHE_INLINE float laneSum(const L& x) {
 }
 #if defined(__SSE2__)
 LITHE_INLINE float laneSum(const Lanes& x) {
-  __m128 half[2];
-  std::memcpy(half, &x, sizeof half);
-  const __m128 fours = _mm_add_ps(half[0], half[1]);
+  const __m128 low = __builtin_shufflevector(x, x, 0, 1, 2, 3), high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
+  const __m128 fours = _mm_add_ps(low, high);
   const __m128 pairs = _mm_add_ps(fours, _mm_movehl_ps(fours, fours));
   return _mm_cvtss_f32(_mm_add_ss(pairs, _mm_shuffle_ps(pairs, pairs, 1)));
 }
@@ -105,13 +104,10 @@ LITHE_INLINE ScalarLanes squareRoot(const ScalarLanes& x) {
 }
 LITHE_INLINE Lanes squareRoot(const Lanes& x) {
 #if defined(__SSE2__)
-  __m128 half[2];
-  std::memcpy(half, &x, sizeof half);
-  half[0] = _mm_sqrt_ps(half[0]);
-  half[1] = _mm_sqrt_ps(half[1]);
-  Lanes result;
-  std::memcpy(&result, half, sizeof result);
-  return result;
+  // Taken apart and joined in registers: two halves that are stored and then loaded as one wait for the memory.
+  const __m128 low = _mm_sqrt_ps(__builtin_shufflevector(x, x, 0, 1, 2, 3));
+  const __m128 high = _mm_sqrt_ps(__builtin_shufflevector(x, x, 4, 5, 6, 7));
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 #else
   Lanes result = x;
   for (uint32_t i = 0; i < kLanes; ++i) result[i] = std::sqrt(x[i]);

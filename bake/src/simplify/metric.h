@@ -30,7 +30,12 @@ class Metric {
   /// The best placement of the parent of a and b. Leaves its posed position in placer.posed. Any thread, own placer.
   virtual Placement place(uint32_t a, uint32_t b, EdgePlacer& placer) const = 0;
 
-  /// A skin other than the interpolated one, where it pays; called after place() with the same placer.
+  /// Leaves in the placer what place() left there when it gave this placement; neither end has changed since.
+  virtual void placeAgain(uint32_t a, uint32_t b, const Placement& placement, EdgePlacer& placer) const {
+    placer.poseBetween(a, b, placement);
+  }
+
+  /// A skin other than the interpolated one, where it pays; called after place() or placeAgain() with the same placer.
   virtual void improveSkin(uint32_t a, uint32_t b, EdgePlacer& placer, Placement& placement,
                            QuantizedSkin& skin) const = 0;
 

@@ -39,13 +39,15 @@ class ArticulatedMetric : public Metric {
   }
 
   Placement place(uint32_t a, uint32_t b, EdgePlacer& placer) const override {
-    const PosedMesh& posed = nodes_.posed;
-    combine(currentAt(a), currentAt(b), posed.at(a), posed.at(b), posed.blocks, placer.quadric.data());
-    gatherBetween(a, b, placer.fan);
-    subtractFaces(placer.fan, posed.blocks, placer.quadric.data());
+    fillQuadric(a, b, placer);
     Placement placement = placer.placeFreely(a, b);
     placement.cost = guarded(a, b, placement.cost, placer.posed.data());
     return placement;
+  }
+
+  void placeAgain(uint32_t a, uint32_t b, const Placement& placement, EdgePlacer& placer) const override {
+    fillQuadric(a, b, placer);
+    placer.poseBetween(a, b, placement);
   }
 
   void improveSkin(uint32_t a, uint32_t b, EdgePlacer& placer, Placement& placement,
@@ -79,6 +81,13 @@ class ArticulatedMetric : public Metric {
   void invalidate(uint32_t slot) override { stale_[slot] = 1; }
 
  private:
+  void fillQuadric(uint32_t a, uint32_t b, EdgePlacer& placer) const {
+    const PosedMesh& posed = nodes_.posed;
+    combine(currentAt(a), currentAt(b), posed.at(a), posed.at(b), posed.blocks, placer.quadric.data());
+    gatherBetween(a, b, placer.fan);
+    subtractFaces(placer.fan, posed.blocks, placer.quadric.data());
+  }
+
   /// The triangles that both ends have: the sum of the ends' quadrics counts them twice, the others once.
   void gatherBetween(uint32_t a, uint32_t b, std::vector<FanFace>& fan) const {
     fan.clear();
