@@ -82,9 +82,18 @@ double Collapser::tieBreak(uint32_t a, uint32_t b) const {
 }
 
 void Collapser::judgeAgain(uint32_t edge) {
+  for (uint32_t slot : edges_.ends[edge]) metric_->prefetch(slot);
+  prefetchNext();
   for (uint32_t slot : edges_.ends[edge]) metric_->refresh(slot, fan_);
   placeEdge(edge, placer_);
   judged_ = edge;
+}
+
+// The edge that will most likely be next, while this one is judged.
+void Collapser::prefetchNext() {
+  const uint32_t next = queue_.second();
+  if (next == kNone) return;
+  for (uint32_t slot : edges_.ends[next]) metric_->prefetch(slot);
 }
 
 // The posed position is not kept per edge.
@@ -260,33 +269,39 @@ void Collapser::absorbFaceless(std::vector<Collapse>& collapses) {
 
 /// b's edges become a's; of two edges to one node the cheaper stays.
 void Collapser::joinEdges(uint32_t a, uint32_t b) {
-  const std::span<const uint32_t> at_b = edges_.at[b];
-  scratch_.assign(at_b.begin(), at_b.end());
-  std::vector<uint32_t>& joined = scratch_;
-  const size_t from_b = joined.size();
-  size_t kept = 0;
-  for (size_t i = 0; i < from_b; ++i) {
-    const uint32_t edge = joined[i], far = edges_.other(edge, b);
-    const uint32_t twin = far == a ? kNone : edges_.find(a, far);
-    if (far == a || twin != kNone) {
-      if (twin != kNone && queue_.contains(twin) && queue_.contains(edge) && queue_.key(edge) < queue_.key(twin)) {
-        queue_.set(twin, queue_.key(edge));
-      }
+  scratch_.assign(edges_.at[b].begin(), edges_.at[b].end());
+  neighbours_.clear();
+  for (uint32_t edge : edges_.at[a]) neighbours_.push_back(edges_.other(edge, a));
+  joined_.assign(edges_.at[a].begin(), edges_.at[a].end());
+  for (uint32_t edge : scratch_) {
+    const uint32_t far = edges_.other(edge, b);
+    const auto twin = std::find(neighbours_.begin(), neighbours_.end(), far);
+    if (far == a) {
+      joined_.erase(std::find(joined_.begin(), joined_.end(), edge));
+      neighbours_.erase(std::find(neighbours_.begin(), neighbours_.end(), b));
       dropEdge(edge);
-      continue;
+    } else if (twin != neighbours_.end()) {
+      keepCheaper(joined_[static_cast<size_t>(twin - neighbours_.begin())], edge);
+    } else {
+      edges_.ends[edge] = {std::min(a, far), std::max(a, far)};
+      if (blocked_[edge]) {
+        --blocked_at_[b];
+        ++blocked_at_[a];
+      }
+      joined_.push_back(edge);
+      neighbours_.push_back(far);
     }
-    edges_.ends[edge] = {std::min(a, far), std::max(a, far)};
-    if (blocked_[edge]) {
-      --blocked_at_[b];
-      ++blocked_at_[a];
-    }
-    joined[kept++] = edge;
   }
-  joined.resize(kept);
-  const std::span<const uint32_t> at_a = edges_.at[a];
-  joined.insert(joined.begin(), at_a.begin(), at_a.end());
-  edges_.at.assign(a, joined);
+  edges_.at.assign(a, joined_);
   edges_.at.assign(b, {});
+}
+
+/// The twin stays, for the price of the cheaper of the two.
+void Collapser::keepCheaper(uint32_t twin, uint32_t edge) {
+  if (queue_.contains(twin) && queue_.contains(edge) && queue_.key(edge) < queue_.key(twin)) {
+    queue_.set(twin, queue_.key(edge));
+  }
+  dropEdge(edge);
 }
 
 void Collapser::cutLooseEdges(uint32_t a) {

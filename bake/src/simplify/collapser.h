@@ -39,6 +39,7 @@ class Collapser {
   bool isStale(uint32_t edge) const { return stamp_[edge] != stampOf(edge); }
   void judgeAgain(uint32_t edge);
   void recall(uint32_t edge);
+  void prefetchNext();
   bool mayCollapse(uint32_t edge);
   double lossOf(uint32_t edge);
   bool turnsOver(uint32_t from, uint32_t other) const;
@@ -54,6 +55,7 @@ class Collapser {
   void record(uint32_t edge, const Placement& placement, const QuantizedSkin& skin, Collapse& collapse);
   void moveNode(uint32_t a, uint32_t b, const Placement& placement, const QuantizedSkin& skin);
   void joinEdges(uint32_t a, uint32_t b);
+  void keepCheaper(uint32_t twin, uint32_t edge);
   void cutLooseEdges(uint32_t a);
   void refreshAround(uint32_t a);
   void noteFaceless(uint32_t slot);
@@ -84,7 +86,7 @@ class Collapser {
   bool coarse_ = false;             // below options.vanish_coarse
   bool relaxed_ = false;            // nothing was left to do without turning a triangle over
   std::vector<uint32_t> faceless_;  // slots without triangles that have not been absorbed
-  std::vector<uint32_t> thirds_, scratch_;
+  std::vector<uint32_t> thirds_, scratch_, joined_, neighbours_;
   std::vector<FanFace> fan_;
 };
 

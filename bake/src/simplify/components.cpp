@@ -96,19 +96,18 @@ void Components::sortByComponent() {
   for (uint32_t face = 0; face < corner_.size(); ++face) members_[next[componentOf(face)]++] = face;
 }
 
-void Components::buildTree() {
-  std::vector<glm::vec3> thrice_centre(corner_.size());
+void Components::startTree() {
+  thrice_centre_.resize(corner_.size());
   for (uint32_t face = 0; face < corner_.size(); ++face) {
     const Triangle t = triangle(face);
-    thrice_centre[face] = t.a + t.b + t.c;
+    thrice_centre_[face] = t.a + t.b + t.c;
   }
   sorted_.resize(corner_.size());
   std::iota(sorted_.begin(), sorted_.end(), 0u);
-  buildBox(0, static_cast<uint32_t>(sorted_.size()), thrice_centre);
+  addBox(0, static_cast<uint32_t>(sorted_.size()));
 }
 
-uint32_t Components::buildBox(uint32_t begin, uint32_t end, const std::vector<glm::vec3>& thrice_centre) {
-  const auto id = static_cast<uint32_t>(boxes_.size());
+uint32_t Components::addBox(uint32_t begin, uint32_t end) {
   const glm::vec3 start = triangle(sorted_[begin]).a;
   Box box{start, start, begin, end, kNone, kNone, componentOf(sorted_[begin])};
   for (uint32_t i = begin; i < end; ++i) {
@@ -118,31 +117,38 @@ uint32_t Components::buildBox(uint32_t begin, uint32_t end, const std::vector<gl
     if (componentOf(sorted_[i]) != box.only_component) box.only_component = kNone;
   }
   boxes_.push_back(box);
-  if (end - begin <= kLeafFaces) return id;
-
-  const glm::vec3 extent = box.upper - box.lower;
-  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-  const uint32_t middle = (begin + end) / 2;
-  std::nth_element(sorted_.begin() + begin, sorted_.begin() + middle, sorted_.begin() + end,
-                   [&](uint32_t s, uint32_t t) {
-                     const float at_s = thrice_centre[s][axis], at_t = thrice_centre[t][axis];
-                     return at_s != at_t ? at_s < at_t : s < t;
-                   });
-  const uint32_t left = buildBox(begin, middle, thrice_centre), right = buildBox(middle, end, thrice_centre);
-  boxes_[id].left = left;
-  boxes_[id].right = right;
-  return id;
+  return static_cast<uint32_t>(boxes_.size()) - 1;
 }
 
-double Components::squaredDistanceToOthers(const glm::vec3& point, uint32_t component) const {
+/// False for a leaf.
+bool Components::split(uint32_t id) {
+  const Box box = boxes_[id];
+  if (box.left != kNone) return true;
+  if (box.end - box.begin <= kLeafFaces) return false;
+  const glm::vec3 extent = box.upper - box.lower;
+  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+  const uint32_t middle = (box.begin + box.end) / 2;
+  std::nth_element(sorted_.begin() + box.begin, sorted_.begin() + middle, sorted_.begin() + box.end,
+                   [&](uint32_t s, uint32_t t) {
+                     const float at_s = thrice_centre_[s][axis], at_t = thrice_centre_[t][axis];
+                     return at_s != at_t ? at_s < at_t : s < t;
+                   });
+  const uint32_t left = addBox(box.begin, middle), right = addBox(middle, box.end);
+  boxes_[id].left = left;
+  boxes_[id].right = right;
+  return true;
+}
+
+double Components::squaredDistanceToOthers(const glm::vec3& point, uint32_t component) {
   double nearest = 1.0;  // the posed diagonal, squared
   if (boxes_.empty()) return nearest;
   std::vector<uint32_t> stack{0};
   while (!stack.empty()) {
-    const Box& box = boxes_[stack.back()];
+    const uint32_t id = stack.back();
+    const Box box = boxes_[id];
     stack.pop_back();
     if (box.only_component == component || squaredDistanceToBox(point, box.lower, box.upper) >= nearest) continue;
-    if (box.left == kNone) {
+    if (!split(id)) {
       for (uint32_t i = box.begin; i < box.end; ++i) {
         if (componentOf(sorted_[i]) == component) continue;
         const Triangle t = triangle(sorted_[i]);
@@ -150,11 +156,11 @@ double Components::squaredDistanceToOthers(const glm::vec3& point, uint32_t comp
       }
       continue;
     }
-    const Box &left = boxes_[box.left], &right = boxes_[box.right];
-    const bool left_first =
-        squaredDistanceToBox(point, left.lower, left.upper) <= squaredDistanceToBox(point, right.lower, right.upper);
-    stack.push_back(left_first ? box.right : box.left);
-    stack.push_back(left_first ? box.left : box.right);
+    const uint32_t left = boxes_[id].left, right = boxes_[id].right;
+    const bool left_first = squaredDistanceToBox(point, boxes_[left].lower, boxes_[left].upper) <=
+                            squaredDistanceToBox(point, boxes_[right].lower, boxes_[right].upper);
+    stack.push_back(left_first ? right : left);
+    stack.push_back(left_first ? left : right);
   }
   return nearest;
 }
@@ -164,7 +170,7 @@ double Components::lossOf(uint32_t slot) {
   if (loss_[component] >= 0.0) return loss_[component];
   if (first_.empty()) {
     sortByComponent();
-    if (loss_.size() > 1) buildTree();
+    if (loss_.size() > 1) startTree();
   }
   const uint32_t count = first_[component + 1] - first_[component];
   const uint32_t stride = (count + kSampledFaces - 1) / kSampledFaces;

@@ -28,16 +28,17 @@ class Components {
   struct Box {
     glm::vec3 lower, upper;
     uint32_t begin, end;      // of sorted_
-    uint32_t left, right;     // kNone at leaves
+    uint32_t left, right;     // kNone at leaves, and until a search comes by
     uint32_t only_component;  // kNone when several
   };
 
   uint32_t componentOf(uint32_t face) const { return component_[corner_[face][0]]; }
   Triangle triangle(uint32_t face) const;
   void sortByComponent();
-  void buildTree();
-  uint32_t buildBox(uint32_t begin, uint32_t end, const std::vector<glm::vec3>& thrice_centre);
-  double squaredDistanceToOthers(const glm::vec3& point, uint32_t component) const;
+  void startTree();
+  uint32_t addBox(uint32_t begin, uint32_t end);
+  bool split(uint32_t box);
+  double squaredDistanceToOthers(const glm::vec3& point, uint32_t component);
 
   uint32_t pose_count_;
   std::vector<uint32_t> component_;              // per slot
@@ -48,7 +49,8 @@ class Components {
   // Made when the first loss is asked for: most characters of one component never do.
   std::vector<uint32_t> first_, members_;  // faces by component: members_[first_[c] .. first_[c + 1])
   std::vector<uint32_t> sorted_;           // faces by box
-  std::vector<Box> boxes_;                 // none where there is one component only
+  std::vector<glm::vec3> thrice_centre_;   // per face
+  std::vector<Box> boxes_;                 // none where there is one component only; split as searches need it
 };
 
 }  // namespace lithe::bake

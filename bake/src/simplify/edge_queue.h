@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lithe/bake/model.h"
+#include "prefetch.h"
 
 namespace lithe::bake {
 
@@ -17,6 +18,11 @@ class EdgeQueue {
 
   bool empty() const { return heap_.empty(); }
   uint32_t top() const { return heap_.front().edge; }
+  /// What comes after the top; kNone when there is nothing.
+  uint32_t second() const {
+    if (heap_.size() < 2) return kNone;
+    return std::min_element(heap_.begin() + 1, heap_.begin() + std::min<size_t>(heap_.size(), 5))->edge;
+  }
   bool contains(uint32_t edge) const { return place_[edge] != kNone; }
   double key(uint32_t edge) const { return key_[edge]; }
 
@@ -57,6 +63,7 @@ class EdgeQueue {
     }
     const auto size = static_cast<uint32_t>(heap_.size());
     for (uint32_t first; (first = 4 * hole + 1) < size;) {
+      prefetchAll(heap_.data() + 4 * size_t{first} + 1, 16);  // the children's children
       const uint32_t end = std::min(first + 4, size);
       uint32_t least = first;
       for (uint32_t child = first + 1; child < end; ++child) {

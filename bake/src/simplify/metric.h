@@ -27,6 +27,9 @@ class Metric {
   /// at one slot, and none in place(). @param fan scratch
   virtual void refresh(uint32_t slot, std::vector<FanFace>& fan) = 0;
 
+  /// Asks for the memory that refresh() and place() will read of a slot, so that it arrives while others work.
+  virtual void prefetch(uint32_t /*slot*/) const {}
+
   /// The best placement of the parent of a and b. Leaves its posed position in placer.posed. Any thread, own placer.
   virtual Placement place(uint32_t a, uint32_t b, EdgePlacer& placer) const = 0;
 

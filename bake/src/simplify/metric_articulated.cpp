@@ -6,6 +6,7 @@
 
 #include "fan.h"
 #include "metric.h"
+#include "prefetch.h"
 
 namespace lithe::bake {
 
@@ -36,6 +37,12 @@ class ArticulatedMetric : public Metric {
     for (uint32_t block = 0; block < nodes_.posed.blocks; ++block) {
       accumulatedAt(slot)[block] = withoutLinearTerm(currentAt(slot)[block]);
     }
+  }
+
+  void prefetch(uint32_t slot) const override {
+    prefetchAll(nodes_.posed.at(slot), nodes_.posed.blocks);
+    prefetchAll(currentAt(slot), nodes_.posed.blocks);
+    prefetchAll(accumulatedAt(slot), nodes_.posed.blocks);
   }
 
   Placement place(uint32_t a, uint32_t b, EdgePlacer& placer) const override {
