@@ -35,13 +35,14 @@ JointUnion unionOf(const QuantizedSkin& a, const QuantizedSkin& b) {
 }  // namespace
 
 QuantizedSkin EdgePlacer::skinBetween(uint32_t a, uint32_t b, int32_t t8) const {
+  if (t8 == 0 || t8 == 8) return nodes_.skins[t8 == 0 ? a : b];
   return interpolateSkin(nodes_.skins[a], nodes_.skins[b], t8, nodes_.weight_one, nodes_.max_influences);
 }
 
 double EdgePlacer::energyIn(const glm::dvec3& grid_point, const Affine* blend, uint32_t a,
                             std::vector<PosedPoint>& result) {
-  transformPoint(blend, nodes_.posed.blocks, glm::vec3(grid_point), result.data());
-  return std::max(0.0f, energy(quadric.data(), nodes_.posed.at(a), result.data(), nodes_.posed.blocks));
+  return std::max(0.0f, energyOfPlace(quadric.data(), nodes_.posed.at(a), blend, glm::vec3(grid_point),
+                                      nodes_.posed.blocks, result.data()));
 }
 
 glm::dvec3 EdgePlacer::minimizer(const glm::dvec3& from, const Affine* blend, uint32_t a,
@@ -57,9 +58,8 @@ void EdgePlacer::poseBetween(uint32_t a, uint32_t b, const Placement& placement)
 
 Placement EdgePlacer::placeAtEnd(uint32_t a, uint32_t b) {
   const uint32_t blocks = nodes_.posed.blocks;
-  const PosedPoint* origin = nodes_.posed.at(a);
-  const double at_a = std::max(0.0f, energy(quadric.data(), origin, origin, blocks));
-  const double at_b = std::max(0.0f, energy(quadric.data(), origin, nodes_.posed.at(b), blocks));
+  const auto [energy_a, energy_b] = energiesAtEnds(quadric.data(), nodes_.posed.at(a), nodes_.posed.at(b), blocks);
+  const double at_a = std::max(0.0f, energy_a), at_b = std::max(0.0f, energy_b);
   const uint32_t end = at_b < at_a ? b : a;
   std::copy_n(nodes_.posed.at(end), blocks, posed.begin());
   return {nodes_.positions[end], end == a ? 0 : 8, std::min(at_a, at_b)};

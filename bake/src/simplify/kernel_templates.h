@@ -20,6 +20,16 @@ LITHE_INLINE void addNormal(SymmetricOf<L>& q, const Vec3<L>& n, const L& weight
   q.zz += weight * n.z * n.z;
 }
 
+template <class L>
+LITHE_INLINE void addSymmetric(QuadricOf<L>& q, const SymmetricOf<L>& added) {
+  q.xx += added.xx;
+  q.xy += added.xy;
+  q.xz += added.xz;
+  q.yy += added.yy;
+  q.yz += added.yz;
+  q.zz += added.zz;
+}
+
 /// With m = edge x n the plane through the edge has the unit normal m / (|edge| |n|), so weight |edge|^2 / 2 / 2 needs
 /// no root.
 template <class L>

@@ -19,17 +19,14 @@ LITHE_KERNEL void fanQuadric(std::span<const FanFace> fan, uint32_t blocks, Symm
   }
 }
 
-LITHE_KERNEL void combine(const Symmetric* qa, const Symmetric* qb, const PosedPoint* a, const PosedPoint* b,
-                          uint32_t blocks, Quadric* sum) {
+LITHE_KERNEL void combineLess(std::span<const FanFace> between, const Symmetric* qa, const Symmetric* qb,
+                              const PosedPoint* a, const PosedPoint* b, uint32_t blocks, Quadric* sum) {
   for (uint32_t block = 0; block < blocks; ++block) {
+    Symmetric twice{};
+    for (const FanFace& f : between) addFanFace(twice, f.corner[block], f.next[block], f.last[block], 0.0f, 0.0f);
     Quadric result = shifted(withoutLinearTerm(qb[block]), a[block] - b[block]);
-    const Symmetric& p = qa[block];
-    result.xx += p.xx;
-    result.xy += p.xy;
-    result.xz += p.xz;
-    result.yy += p.yy;
-    result.yz += p.yz;
-    result.zz += p.zz;
+    addSymmetric(result, qa[block]);
+    addSymmetric(result, {-twice.xx, -twice.xy, -twice.xz, -twice.yy, -twice.yz, -twice.zz});
     sum[block] = result;
   }
 }
@@ -38,19 +35,6 @@ LITHE_KERNEL void combine(const Quadric* qa, const Quadric* qb, const PosedPoint
                           uint32_t blocks, Quadric* sum) {
   for (uint32_t block = 0; block < blocks; ++block) {
     sum[block] = sumOf(qa[block], shifted(qb[block], a[block] - b[block]));
-  }
-}
-
-LITHE_KERNEL void subtractFaces(std::span<const FanFace> fan, uint32_t blocks, Quadric* q) {
-  for (uint32_t block = 0; block < blocks; ++block) {
-    Symmetric sum{};
-    for (const FanFace& f : fan) addFanFace(sum, f.corner[block], f.next[block], f.last[block], 0.0f, 0.0f);
-    q[block].xx += -sum.xx;
-    q[block].xy += -sum.xy;
-    q[block].xz += -sum.xz;
-    q[block].yy += -sum.yy;
-    q[block].yz += -sum.yz;
-    q[block].zz += -sum.zz;
   }
 }
 
@@ -69,6 +53,38 @@ LITHE_KERNEL float energy(const Quadric* q, const PosedPoint* origin, const Pose
   Lanes sum{};
   for (uint32_t block = 0; block < blocks; ++block) sum += energyAt(q[block], point[block] - origin[block]);
   return laneSum(sum);
+}
+
+// At the origin itself nothing but the constant is left.
+LITHE_KERNEL std::array<float, 2> energiesAtEnds(const Quadric* q, const PosedPoint* origin, const PosedPoint* other,
+                                                 uint32_t blocks) {
+  Lanes here{}, there{};
+  for (uint32_t block = 0; block < blocks; ++block) {
+    here += q[block].c;
+    there += energyAt(q[block], other[block] - origin[block]);
+  }
+  return {laneSum(here), laneSum(there)};
+}
+
+LITHE_KERNEL float energyOfPlace(const Quadric* q, const PosedPoint* origin, const Affine* blend,
+                                 const glm::vec3& grid_point, uint32_t blocks, PosedPoint* result) {
+  Lanes sum{};
+  for (uint32_t block = 0; block < blocks; ++block) {
+    const PosedPoint place = transformed(blend[block], grid_point.x, grid_point.y, grid_point.z);
+    result[block] = place;
+    sum += energyAt(q[block], place - origin[block]);
+  }
+  return laneSum(sum);
+}
+
+LITHE_KERNEL std::array<float, 2> energies(const Quadric* qa, const Quadric* qb, const PosedPoint* a,
+                                           const PosedPoint* b, const PosedPoint* point, uint32_t blocks) {
+  Lanes of_a{}, of_b{};
+  for (uint32_t block = 0; block < blocks; ++block) {
+    of_a += energyAt(qa[block], point[block] - a[block]);
+    of_b += energyAt(qb[block], point[block] - b[block]);
+  }
+  return {laneSum(of_a), laneSum(of_b)};
 }
 
 LITHE_KERNEL NormalEquations normalEquations(const Quadric* q, const Affine* blend, const PosedPoint* origin,

@@ -3,6 +3,7 @@
 // The loops over poses. All arguments are arrays of one entry per block of eight poses; all sums are in a fixed order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -36,14 +37,12 @@ struct FanFace {
 void fanQuadric(std::span<const FanFace> fan, uint32_t blocks, Symmetric* result);
 
 /// The sum of two vertices' quadrics, each about its own position, about a's position.
-void combine(const Symmetric* qa, const Symmetric* qb, const PosedPoint* a, const PosedPoint* b, uint32_t blocks,
-             Quadric* sum);
 void combine(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b, uint32_t blocks,
              Quadric* sum);
 
-/// Takes one third of the faces' areas away again from a quadric about their fan's corner: the faces between two
-/// vertices are in both vertices' quadrics.
-void subtractFaces(std::span<const FanFace> fan, uint32_t blocks, Quadric* q);
+/// combine(), less one third of the areas of the faces between the two, a's fan: they are in both quadrics.
+void combineLess(std::span<const FanFace> between, const Symmetric* qa, const Symmetric* qb, const PosedPoint* a,
+                 const PosedPoint* b, uint32_t blocks, Quadric* sum);
 
 /// qa and qb, about a and b, become one quadric about `parent`; the result may be qa.
 void accumulate(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b,
@@ -54,6 +53,18 @@ void recenter(const PosedPoint* from, const PosedPoint* to, uint32_t blocks, Qua
 
 /// The sum over the poses of the quadric at a point.
 float energy(const Quadric* q, const PosedPoint* origin, const PosedPoint* point, uint32_t blocks);
+
+/// energy() at the origin itself and at another point.
+std::array<float, 2> energiesAtEnds(const Quadric* q, const PosedPoint* origin, const PosedPoint* other,
+                                    uint32_t blocks);
+
+/// energy() where `blend` puts a grid point; `result` receives that place.
+float energyOfPlace(const Quadric* q, const PosedPoint* origin, const Affine* blend, const glm::vec3& grid_point,
+                    uint32_t blocks, PosedPoint* result);
+
+/// energy() of two quadrics, each about its own origin, at one point.
+std::array<float, 2> energies(const Quadric* qa, const Quadric* qb, const PosedPoint* a, const PosedPoint* b,
+                              const PosedPoint* point, uint32_t blocks);
 
 /// Hessian / 2 and gradient / 2 of the energy with respect to the grid position of a point skinned by `blend`.
 struct NormalEquations {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -27,23 +26,6 @@ class ListPool {
   std::span<uint32_t> operator[](uint32_t list) { return {ids_.data() + lists_[list].begin, lists_[list].count}; }
   std::span<const uint32_t> operator[](uint32_t list) const {
     return {ids_.data() + lists_[list].begin, lists_[list].count};
-  }
-
-  bool contains(uint32_t list, uint32_t id) const {
-    using Four = uint32_t __attribute__((vector_size(16)));
-    const uint32_t *at = ids_.data() + lists_[list].begin, *end = at + lists_[list].count;
-    for (; end - at >= 4; at += 4) {
-      Four ids;
-      std::memcpy(&ids, at, sizeof ids);
-      const auto hit = ids == id;
-      uint64_t half[2];
-      std::memcpy(half, &hit, sizeof half);
-      if ((half[0] | half[1]) != 0) return true;
-    }
-    for (; at < end; ++at) {
-      if (*at == id) return true;
-    }
-    return false;
   }
 
   /// Appends within the capacity the list was made with.

@@ -90,9 +90,8 @@ class ArticulatedMetric : public Metric {
  private:
   void fillQuadric(uint32_t a, uint32_t b, EdgePlacer& placer) const {
     const PosedMesh& posed = nodes_.posed;
-    combine(currentAt(a), currentAt(b), posed.at(a), posed.at(b), posed.blocks, placer.quadric.data());
     gatherBetween(a, b, placer.fan);
-    subtractFaces(placer.fan, posed.blocks, placer.quadric.data());
+    combineLess(placer.fan, currentAt(a), currentAt(b), posed.at(a), posed.at(b), posed.blocks, placer.quadric.data());
   }
 
   /// The triangles that both ends have: the sum of the ends' quadrics counts them twice, the others once.
@@ -105,9 +104,9 @@ class ArticulatedMetric : public Metric {
 
   double guarded(uint32_t a, uint32_t b, double current, const PosedPoint* point) const {
     const PosedMesh& posed = nodes_.posed;
-    const double past = double{energy(accumulatedAt(a), posed.at(a), point, posed.blocks)} +
-                        double{energy(accumulatedAt(b), posed.at(b), point, posed.blocks)};
-    return std::max(current, kGuard * past);
+    const auto [of_a, of_b] =
+        energies(accumulatedAt(a), accumulatedAt(b), posed.at(a), posed.at(b), point, posed.blocks);
+    return std::max(current, kGuard * (double{of_a} + double{of_b}));
   }
 
   Symmetric* currentAt(uint32_t slot) { return current_.data() + size_t{slot} * nodes_.posed.blocks; }

@@ -66,12 +66,7 @@ LITHE_KERNEL void sumScaled(const Scaled* terms, uint32_t count, uint32_t blocks
 }
 
 LITHE_KERNEL void transformKernel(const Affine* blend, uint32_t blocks, float x, float y, float z, PosedPoint* result) {
-  for (uint32_t block = 0; block < blocks; ++block) {
-    const auto& m = blend[block].m;
-    result[block].x = m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3];
-    result[block].y = m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3];
-    result[block].z = m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3];
-  }
+  for (uint32_t block = 0; block < blocks; ++block) result[block] = transformed(blend[block], x, y, z);
 }
 
 }  // namespace

@@ -37,6 +37,12 @@ PosedMesh poseMesh(const Mesh& mesh, const std::vector<std::vector<glm::dmat4>>&
 /// The blended matrices of a skin, one per block: in `storage`, or in the palette itself for a single joint.
 const Affine* blendSkin(const PosedMesh& posed, const QuantizedSkin& skin, Affine* storage);
 
+LITHE_INLINE PosedPoint transformed(const Affine& blend, float x, float y, float z) {
+  const auto& m = blend.m;
+  return {m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3], m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
+          m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3]};
+}
+
 /// Where matrices put a grid point, one per block.
 void transformPoint(const Affine* blend, uint32_t blocks, const glm::vec3& grid_point, PosedPoint* result);
 

@@ -177,8 +177,11 @@ void Surface::classifyAround(uint32_t slot, const PosedMesh& posed) {
 
 uint8_t Surface::kindOf(uint32_t from, uint32_t to, std::vector<uint32_t>& at_edge) const {
   at_edge.clear();
+  const std::span<const uint32_t> at_to = facesAt(to);
+  uint64_t marks = 0;  // of the lowest bits of the ids at `to`: most that are not there are told by them
+  for (uint32_t id : at_to) marks |= uint64_t{1} << (id % 64);
   for (uint32_t id : facesAt(from)) {
-    if (at_.contains(to, id)) at_edge.push_back(id);
+    if ((marks >> (id % 64) & 1) && std::find(at_to.begin(), at_to.end(), id) != at_to.end()) at_edge.push_back(id);
   }
   if (at_edge.size() == 1) return kBorder;
   if (at_edge.size() != 2) return 0;
