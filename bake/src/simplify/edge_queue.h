@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -17,11 +18,12 @@ class EdgeQueue {
   explicit EdgeQueue(uint32_t edge_count) : key_(edge_count, 0.0), place_(edge_count, kNone) {}
 
   bool empty() const { return heap_.empty(); }
-  uint32_t top() const { return heap_.front().edge; }
+  uint32_t top() const { return static_cast<uint32_t>(heap_.front().edge); }
   /// What comes after the top; kNone when there is nothing.
   uint32_t second() const {
     if (heap_.size() < 2) return kNone;
-    return std::min_element(heap_.begin() + 1, heap_.begin() + std::min<size_t>(heap_.size(), 5))->edge;
+    const auto end = heap_.begin() + static_cast<ptrdiff_t>(std::min<size_t>(heap_.size(), 5));
+    return static_cast<uint32_t>(std::min_element(heap_.begin() + 1, end)->edge);
   }
   bool contains(uint32_t edge) const { return place_[edge] != kNone; }
   double key(uint32_t edge) const { return key_[edge]; }
@@ -32,9 +34,9 @@ class EdgeQueue {
     uint32_t place = place_[edge];
     if (place == kNone) {
       place = static_cast<uint32_t>(heap_.size());
-      heap_.push_back({key, edge});
+      heap_.emplace_back();
     }
-    put({key, edge}, place);
+    put({orderOf(key), edge}, place);
   }
 
   void remove(uint32_t edge) {
@@ -47,13 +49,21 @@ class EdgeQueue {
   }
 
  private:
-  /// The key beside its edge: whoever compares children finds them in one line of the cache.
+  /// The key beside its edge: whoever compares children finds them in one line of the cache. As integers of the same
+  /// order, so that comparing takes no branch: which child is least nobody can guess.
   struct Entry {
-    double key;
-    uint32_t edge;
+    uint64_t order;
+    uint64_t edge;
 
-    bool operator<(const Entry& other) const { return key != other.key ? key < other.key : edge < other.edge; }
+    bool operator<(const Entry& other) const {
+      return (order < other.order) | ((order == other.order) & (edge < other.edge));
+    }
   };
+
+  static uint64_t orderOf(double key) {
+    const auto bits = std::bit_cast<uint64_t>(key + 0.0);  // -0 is 0
+    return bits >> 63 ? ~bits : bits | uint64_t{1} << 63;
+  }
 
   /// Fills a hole with an entry, which moves up or down from there to its place.
   void put(const Entry& entry, uint32_t hole) {
@@ -67,7 +77,7 @@ class EdgeQueue {
       const uint32_t end = std::min(first + 4, size);
       uint32_t least = first;
       for (uint32_t child = first + 1; child < end; ++child) {
-        if (heap_[child] < heap_[least]) least = child;
+        least = heap_[child] < heap_[least] ? child : least;
       }
       if (!(heap_[least] < entry)) break;
       move(least, hole);

@@ -8,18 +8,21 @@ namespace lithe::bake {
 
 namespace {
 
-std::vector<std::array<uint32_t, 2>> sortedPairs(const Surface& surface) {
+std::vector<std::array<uint32_t, 2>> sortedPairs(const Surface& surface, uint32_t slot_count) {
   std::vector<std::array<uint32_t, 2>> pairs;
-  pairs.reserve(size_t{3} * surface.faceCount());
-  for (uint32_t id = 0; id < surface.faceCount(); ++id) {
-    const auto& corner = surface.face(id).corner;
-    for (uint32_t k = 0; k < 3; ++k) {
-      const uint32_t a = corner[k], b = corner[(k + 1) % 3];
-      pairs.push_back({std::min(a, b), std::max(a, b)});
+  pairs.reserve(size_t{3} * surface.faceCount() / 2 + slot_count);
+  std::vector<uint32_t> higher;
+  for (uint32_t slot = 0; slot < slot_count; ++slot) {
+    higher.clear();
+    for (uint32_t id : surface.facesAt(slot)) {
+      for (uint32_t other : surface.face(id).corner) {
+        if (other > slot) higher.push_back(other);
+      }
     }
+    std::sort(higher.begin(), higher.end());
+    higher.erase(std::unique(higher.begin(), higher.end()), higher.end());
+    for (uint32_t other : higher) pairs.push_back({slot, other});
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 
@@ -34,7 +37,7 @@ std::vector<uint32_t> edgesPerSlot(const std::vector<std::array<uint32_t, 2>>& e
 }  // namespace
 
 Edges::Edges(const Surface& surface, uint32_t slot_count)
-    : ends(sortedPairs(surface)), at(edgesPerSlot(ends, slot_count)) {
+    : ends(sortedPairs(surface, slot_count)), at(edgesPerSlot(ends, slot_count)) {
   for (uint32_t edge = 0; edge < count(); ++edge) {
     for (uint32_t slot : ends[edge]) at.append(slot, edge);
   }

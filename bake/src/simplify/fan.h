@@ -3,6 +3,7 @@
 // The triangles around a slot as the kernels want them.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "kernels.h"
@@ -12,30 +13,33 @@
 namespace lithe::bake {
 
 struct EdgeWeights {
-  float border, seam, fold;
+  std::array<float, 8> by_kind{};  // a border counts before a fold, a fold before a seam
+  float border;
 
-  explicit EdgeWeights(const SimplifyOptions& options)
-      : border(static_cast<float>(options.boundary_weight)),
-        seam(static_cast<float>(options.seam_weight)),
-        fold(static_cast<float>(options.fold_weight)) {}
-
-  float of(uint8_t kind) const {
-    if (kind & kBorder) return border;
-    if (kind & kFold) return fold;
-    return kind & kSeam ? seam : 0.0f;
+  explicit EdgeWeights(const SimplifyOptions& options) : border(static_cast<float>(options.boundary_weight)) {
+    for (uint32_t kind = 1; kind < by_kind.size(); ++kind) {
+      const double weight = kind & kBorder ? options.boundary_weight
+                            : kind & kFold ? options.fold_weight
+                                           : options.seam_weight;
+      by_kind[kind] = static_cast<float>(weight);
+    }
   }
+
+  float of(uint8_t kind) const { return by_kind[kind]; }
 };
 
 inline FanFace fanFace(const Face& face, uint32_t slot, const PosedMesh& posed, const EdgeWeights& weights) {
-  const uint32_t k = face.cornerOf(slot), next = (k + 1) % 3, last = (k + 2) % 3;
+  constexpr uint8_t kNext[] = {1, 2, 0}, kLast[] = {2, 0, 1};
+  const uint32_t k = face.knownCornerOf(slot), next = kNext[k], last = kLast[k];
   return {posed.at(slot), posed.at(face.corner[next]), posed.at(face.corner[last]), weights.of(face.kind[last]),
           weights.of(face.kind[next])};
 }
 
 inline void gatherFan(const Surface& surface, uint32_t slot, const PosedMesh& posed, const EdgeWeights& weights,
                       std::vector<FanFace>& fan) {
-  fan.clear();
-  for (uint32_t id : surface.facesAt(slot)) fan.push_back(fanFace(surface.face(id), slot, posed, weights));
+  const std::span<const uint32_t> ids = surface.facesAt(slot);
+  fan.resize(ids.size());
+  for (size_t i = 0; i < ids.size(); ++i) fan[i] = fanFace(surface.face(ids[i]), slot, posed, weights);
 }
 
 }  // namespace lithe::bake

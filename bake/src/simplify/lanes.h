@@ -19,7 +19,7 @@
 // agree. clang refuses to return Lanes from what the clones inline.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
-#define LITHE_KERNEL __attribute__((target_clones("avx2", "default")))
+#define LITHE_KERNEL __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define LITHE_KERNEL
 #endif

@@ -34,7 +34,7 @@ bool foldsBack(const glm::vec3& n, const glm::vec3& m) {
 }
 
 bool wedgesDiffer(const Face& f, const Face& g, uint32_t slot) {
-  return f.wedge[f.cornerOf(slot)] != g.wedge[g.cornerOf(slot)];
+  return f.wedge[f.knownCornerOf(slot)] != g.wedge[g.knownCornerOf(slot)];
 }
 
 std::vector<uint32_t> cornersPerSlot(const Mesh& mesh) {
@@ -67,10 +67,10 @@ bool Surface::hasEdge(uint32_t a, uint32_t b) const {
 void Surface::classifyEdges(const PosedMesh& posed) {
   normal_.resize(faceCount());
   for (uint32_t id = 0; id < faceCount(); ++id) normal_[id] = normalInFirstPose(posed, faces_[id]);
-  for (uint32_t id = 0; id < faceCount(); ++id) {
+  for (Face& face : faces_) face.kind = {kUnknown, kUnknown, kUnknown};
+  for (const Face& face : faces_) {
     for (uint32_t k = 0; k < 3; ++k) {
-      const uint32_t from = faces_[id].corner[(k + 1) % 3], to = faces_[id].corner[(k + 2) % 3];
-      faces_[id].kind[k] = kindOf(from, to, at_edge_);
+      if (face.kind[k] == kUnknown) classify(face.corner[(k + 1) % 3], face.corner[(k + 2) % 3]);
     }
   }
 }
@@ -169,30 +169,37 @@ void Surface::classifyAround(uint32_t slot, const PosedMesh& posed) {
       if (face.kind[k] != kUnknown) continue;  // set from the triangle across the edge
       uint32_t from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
       if (to == slot) std::swap(from, to);  // its own triangles are at hand
-      const uint8_t kind = kindOf(from, to, at_edge_);
-      setKind(from, to, kind, at_edge_);
+      classify(from, to);
     }
   }
 }
 
-uint8_t Surface::kindOf(uint32_t from, uint32_t to, std::vector<uint32_t>& at_edge) const {
-  at_edge.clear();
-  const std::span<const uint32_t> at_to = facesAt(to);
-  uint64_t marks = 0;  // of the lowest bits of the ids at `to`: most that are not there are told by them
-  for (uint32_t id : at_to) marks |= uint64_t{1} << (id % 64);
-  for (uint32_t id : facesAt(from)) {
-    if ((marks >> (id % 64) & 1) && std::find(at_to.begin(), at_to.end(), id) != at_to.end()) at_edge.push_back(id);
+void Surface::classify(uint32_t from, uint32_t to) {
+  findFacesBetween(from, to);
+  const uint8_t kind = kindBetween(from, to);
+  for (uint32_t id : at_edge_) {
+    Face& face = faces_[id];
+    face.kind[3 - face.knownCornerOf(from) - face.knownCornerOf(to)] = kind;
   }
-  if (at_edge.size() == 1) return kBorder;
-  if (at_edge.size() != 2) return 0;
-  const Face &f = faces_[at_edge[0]], &g = faces_[at_edge[1]];
-  const uint8_t seam = wedgesDiffer(f, g, from) || wedgesDiffer(f, g, to) ? kSeam : 0;
-  const uint8_t fold = foldsBack(normal_[at_edge[0]], normal_[at_edge[1]]) ? kFold : 0;
-  return static_cast<uint8_t>(seam | fold);
 }
 
-void Surface::setKind(uint32_t from, uint32_t to, uint8_t kind, const std::vector<uint32_t>& at_edge) {
-  for (uint32_t id : at_edge) faces_[id].kind[3 - faces_[id].cornerOf(from) - faces_[id].cornerOf(to)] = kind;
+void Surface::findFacesBetween(uint32_t from, uint32_t to) {
+  const std::span<const uint32_t> at_from = facesAt(from), at_to = facesAt(to);
+  uint64_t marks = 0;  // of the lowest bits of the ids at `to`: most that are not there are told by them
+  for (uint32_t id : at_to) marks |= uint64_t{1} << (id % 64);
+  at_edge_.clear();
+  for (uint32_t id : at_from) {
+    if ((marks >> (id % 64) & 1) && faces_[id].has(to)) at_edge_.push_back(id);
+  }
+}
+
+uint8_t Surface::kindBetween(uint32_t from, uint32_t to) const {
+  if (at_edge_.size() == 1) return kBorder;
+  if (at_edge_.size() != 2) return 0;
+  const Face &f = faces_[at_edge_[0]], &g = faces_[at_edge_[1]];
+  const uint8_t seam = wedgesDiffer(f, g, from) || wedgesDiffer(f, g, to) ? kSeam : 0;
+  const uint8_t fold = foldsBack(normal_[at_edge_[0]], normal_[at_edge_[1]]) ? kFold : 0;
+  return static_cast<uint8_t>(seam | fold);
 }
 
 }  // namespace lithe::bake

@@ -34,7 +34,10 @@ struct Face {
     return corner[0] == slot ? 0 : corner[1] == slot ? 1 : corner[2] == slot ? 2 : 3;
   }
   bool alive() const { return wedge[0] != kNone; }
-  bool has(uint32_t slot) const { return cornerOf(slot) < 3; }
+  /// Without branches: which corner it is nobody can guess.
+  bool has(uint32_t slot) const { return ((corner[0] == slot) | (corner[1] == slot) | (corner[2] == slot)) != 0; }
+  /// Of a slot that it has.
+  uint32_t knownCornerOf(uint32_t slot) const { return (corner[1] == slot ? 1u : 0u) + (corner[2] == slot ? 2u : 0u); }
 };
 
 class Surface {
@@ -70,14 +73,16 @@ class Surface {
  private:
   void uniteWedges(uint32_t a, uint32_t b);
   void mergeEqualFaces(uint32_t slot);
-  uint8_t kindOf(uint32_t from, uint32_t to, std::vector<uint32_t>& at_edge) const;
-  void setKind(uint32_t from, uint32_t to, uint8_t kind, const std::vector<uint32_t>& at_edge);
+  void classify(uint32_t from, uint32_t to);
+  void findFacesBetween(uint32_t from, uint32_t to);
+  uint8_t kindBetween(uint32_t from, uint32_t to) const;
 
   std::vector<Face> faces_;
   ListPool at_;                    // per slot: its triangles, ascending by time of arrival
   std::vector<glm::vec3> normal_;  // per face, in the first pose, as long as twice the area
   uint32_t triangle_count_ = 0;
-  std::vector<uint32_t> scratch_, at_edge_;
+  std::vector<uint32_t> scratch_;
+  std::vector<uint32_t> at_edge_;  // faces
 };
 
 }  // namespace lithe::bake

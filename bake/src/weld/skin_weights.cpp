@@ -20,7 +20,7 @@ struct Influence {
 /// Up to two skins of eight.
 struct InfluenceList {
   uint32_t count = 0;
-  std::array<Influence, 16> items{};
+  std::array<Influence, 16> items;  // those up to count are set
 
   std::span<Influence> all() { return {items.data(), count}; }
 };
@@ -115,16 +115,20 @@ QuantizedSkin interpolateSkin(const QuantizedSkin& v, const QuantizedSkin& u, in
   dropZeros(blend);
   sortHeavierFirst(blend);
   const auto one = static_cast<int32_t>(weight_one);
-  if (blend.count > max_influences) {
+  const bool cut = blend.count > max_influences;
+  if (cut) {
     blend.count = max_influences;
     const int32_t sum = sumOf(blend);
     for (Influence& influence : blend.all()) {
       influence.weight = static_cast<int32_t>(int64_t{influence.weight} * one / sum);
     }
   }
-  blend.items[0].weight += one - sumOf(blend);
-  dropZeros(blend);
-  sortHeavierFirst(blend);
+  const int32_t missing = one - sumOf(blend);
+  blend.items[0].weight += missing;
+  if (cut || missing < 0) {
+    dropZeros(blend);
+    sortHeavierFirst(blend);
+  }
   return toSkin(blend);
 }
 
