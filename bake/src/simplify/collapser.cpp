@@ -81,19 +81,42 @@ double Collapser::tieBreak(uint32_t a, uint32_t b) const {
   return kTieBreak * sum * sum / posed.pose_count;
 }
 
+// While this edge is judged, step by step, what the next one needs is on its way.
 void Collapser::judgeAgain(uint32_t edge) {
-  for (uint32_t slot : edges_.ends[edge]) metric_->prefetch(slot);
-  prefetchNext();
-  for (uint32_t slot : edges_.ends[edge]) metric_->refresh(slot, fan_);
+  const auto [a, b] = edges_.ends[edge];
+  const uint32_t next = queue_.second();
+  prefetchSlots(next);
+  metric_->refresh(a, fan_);
+  prefetchLists(next);
+  metric_->refresh(b, fan_);
+  prefetchFaces(next);
   placeEdge(edge, placer_);
+  prefetchAround(next);
   judged_ = edge;
 }
 
-// The edge that will most likely be next, while this one is judged.
-void Collapser::prefetchNext() {
-  const uint32_t next = queue_.second();
-  if (next == kNone) return;
-  for (uint32_t slot : edges_.ends[next]) metric_->prefetch(slot);
+void Collapser::prefetchSlots(uint32_t edge) const {
+  if (edge == kNone) return;
+  __builtin_prefetch(&placement_[edge]);
+  for (uint32_t slot : edges_.ends[edge]) {
+    surface_.prefetchHead(slot);
+    metric_->prefetch(slot);
+  }
+}
+
+void Collapser::prefetchLists(uint32_t edge) const {
+  if (edge == kNone) return;
+  for (uint32_t slot : edges_.ends[edge]) surface_.prefetchList(slot);
+}
+
+void Collapser::prefetchFaces(uint32_t edge) const {
+  if (edge == kNone) return;
+  for (uint32_t slot : edges_.ends[edge]) surface_.prefetchFaces(slot);
+}
+
+void Collapser::prefetchAround(uint32_t edge) const {
+  if (edge == kNone) return;
+  for (uint32_t slot : edges_.ends[edge]) metric_->prefetchAround(slot);
 }
 
 // The posed position is not kept per edge.

@@ -39,7 +39,10 @@ class Collapser {
   bool isStale(uint32_t edge) const { return stamp_[edge] != stampOf(edge); }
   void judgeAgain(uint32_t edge);
   void recall(uint32_t edge);
-  void prefetchNext();
+  void prefetchSlots(uint32_t edge) const;
+  void prefetchLists(uint32_t edge) const;
+  void prefetchFaces(uint32_t edge) const;
+  void prefetchAround(uint32_t edge) const;
   bool mayCollapse(uint32_t edge);
   double lossOf(uint32_t edge);
   bool turnsOver(uint32_t from, uint32_t other) const;

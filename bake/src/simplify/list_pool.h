@@ -28,6 +28,10 @@ class ListPool {
     return {ids_.data() + lists_[list].begin, lists_[list].count};
   }
 
+  void prefetchHead(uint32_t list) const { __builtin_prefetch(&lists_[list]); }
+  /// Once its head has arrived.
+  void prefetch(uint32_t list) const { __builtin_prefetch(ids_.data() + lists_[list].begin); }
+
   /// Appends within the capacity the list was made with.
   void append(uint32_t list, uint32_t id) { ids_[lists_[list].begin + lists_[list].count++] = id; }
 

@@ -29,6 +29,8 @@ class Metric {
 
   /// Asks for the memory that refresh() and place() will read of a slot, so that it arrives while others work.
   virtual void prefetch(uint32_t /*slot*/) const {}
+  /// The same for the nodes around it, once its triangles have arrived.
+  virtual void prefetchAround(uint32_t /*slot*/) const {}
 
   /// The best placement of the parent of a and b. Leaves its posed position in placer.posed. Any thread, own placer.
   virtual Placement place(uint32_t a, uint32_t b, EdgePlacer& placer) const = 0;

@@ -43,6 +43,17 @@ class ArticulatedMetric : public Metric {
     prefetchAll(nodes_.posed.at(slot), nodes_.posed.blocks);
     prefetchAll(currentAt(slot), nodes_.posed.blocks);
     prefetchAll(accumulatedAt(slot), nodes_.posed.blocks);
+    __builtin_prefetch(&nodes_.skins[slot]);
+    __builtin_prefetch(&nodes_.positions[slot]);
+  }
+
+  void prefetchAround(uint32_t slot) const override {
+    if (!stale_[slot]) return;
+    for (uint32_t id : surface_.facesAt(slot)) {
+      const Face& face = surface_.face(id);
+      constexpr uint8_t kNext[] = {1, 2, 0};
+      prefetchAll(nodes_.posed.at(face.corner[kNext[face.knownCornerOf(slot)]]), nodes_.posed.blocks);
+    }
   }
 
   Placement place(uint32_t a, uint32_t b, EdgePlacer& placer) const override {

@@ -51,6 +51,13 @@ class Surface {
   std::span<const uint32_t> facesAt(uint32_t slot) const { return at_[slot]; }
   bool hasEdge(uint32_t a, uint32_t b) const;
 
+  /// Hints that the triangles at a slot will be read; in this order, with time in between.
+  void prefetchHead(uint32_t slot) const { at_.prefetchHead(slot); }
+  void prefetchList(uint32_t slot) const { at_.prefetch(slot); }
+  void prefetchFaces(uint32_t slot) const {
+    for (uint32_t id : at_[slot]) __builtin_prefetch(&faces_[id]);
+  }
+
   /// Sets the kinds of all edges; positions are read for folds (in the first pose).
   void classifyEdges(const PosedMesh& posed);
 
