@@ -100,13 +100,17 @@ void Collapser::prefetchSlots(uint32_t edge) const {
   __builtin_prefetch(&placement_[edge]);
   for (uint32_t slot : edges_.ends[edge]) {
     surface_.prefetchHead(slot);
+    edges_.at.prefetchHead(slot);
     metric_->prefetch(slot);
   }
 }
 
 void Collapser::prefetchLists(uint32_t edge) const {
   if (edge == kNone) return;
-  for (uint32_t slot : edges_.ends[edge]) surface_.prefetchList(slot);
+  for (uint32_t slot : edges_.ends[edge]) {
+    surface_.prefetchList(slot);
+    edges_.at.prefetch(slot);
+  }
 }
 
 void Collapser::prefetchFaces(uint32_t edge) const {
@@ -117,6 +121,35 @@ void Collapser::prefetchFaces(uint32_t edge) const {
 void Collapser::prefetchAround(uint32_t edge) const {
   if (edge == kNone) return;
   for (uint32_t slot : edges_.ends[edge]) metric_->prefetchAround(slot);
+}
+
+// A collapse changes the lists of all nodes around it. In three steps, with time in between.
+void Collapser::prefetchRing(uint32_t edge) {
+  ring_.clear();
+  for (uint32_t slot : edges_.ends[edge]) {
+    for (uint32_t id : surface_.facesAt(slot)) {
+      const auto& corner = surface_.face(id).corner;
+      ring_.push_back(corner[0] == slot ? corner[1] : corner[1] == slot ? corner[2] : corner[0]);
+    }
+    for (uint32_t near : edges_.at[slot]) __builtin_prefetch(&edges_.ends[near]);
+  }
+  for (uint32_t slot : ring_) {
+    surface_.prefetchHead(slot);
+    edges_.at.prefetchHead(slot);
+    __builtin_prefetch(&version_[slot]);
+  }
+}
+
+void Collapser::prefetchRingLists(uint32_t edge) const {
+  for (uint32_t slot : ring_) {
+    surface_.prefetchList(slot);
+    edges_.at.prefetch(slot);
+  }
+  for (uint32_t near : edges_.at[edges_.ends[edge][1]]) queue_.prefetch(near);
+}
+
+void Collapser::prefetchRingFaces() const {
+  for (uint32_t slot : ring_) surface_.prefetchFaces(slot);
 }
 
 // The posed position is not kept per edge.
@@ -135,12 +168,14 @@ bool Collapser::collapseNext(Collapse& collapse) {
       queue_.set(edge, placement_[edge].cost);
       continue;
     }
+    prefetchRing(edge);
     const double loss = lossOf(edge);
     if (queue_.key(edge) < loss) {
       queue_.set(edge, loss);
       continue;
     }
     if (judged_ != edge) recall(edge);
+    prefetchRingLists(edge);
     if (!mayCollapse(edge)) {
       block(edge);
       continue;
@@ -152,6 +187,7 @@ bool Collapser::collapseNext(Collapse& collapse) {
     }
     Placement placement = placement_[edge];
     QuantizedSkin skin = placer_.skinBetween(a, b, placement.t8);
+    prefetchRingFaces();
     metric_->improveSkin(a, b, placer_, placement, skin);
     placement.cost = std::max(placement.cost, loss);
     record(edge, placement, skin, collapse);

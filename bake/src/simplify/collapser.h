@@ -43,6 +43,9 @@ class Collapser {
   void prefetchLists(uint32_t edge) const;
   void prefetchFaces(uint32_t edge) const;
   void prefetchAround(uint32_t edge) const;
+  void prefetchRing(uint32_t edge);
+  void prefetchRingLists(uint32_t edge) const;
+  void prefetchRingFaces() const;
   bool mayCollapse(uint32_t edge);
   double lossOf(uint32_t edge);
   bool turnsOver(uint32_t from, uint32_t other) const;
@@ -89,7 +92,7 @@ class Collapser {
   bool coarse_ = false;             // below options.vanish_coarse
   bool relaxed_ = false;            // nothing was left to do without turning a triangle over
   std::vector<uint32_t> faceless_;  // slots without triangles that have not been absorbed
-  std::vector<uint32_t> thirds_, scratch_, joined_, neighbours_;
+  std::vector<uint32_t> thirds_, scratch_, joined_, neighbours_, ring_;
   std::vector<FanFace> fan_;
 };
 

@@ -28,6 +28,12 @@ class EdgeQueue {
   bool contains(uint32_t edge) const { return place_[edge] != kNone; }
   double key(uint32_t edge) const { return key_[edge]; }
 
+  /// Hint that an edge will be asked for or moved.
+  void prefetch(uint32_t edge) const {
+    __builtin_prefetch(&key_[edge]);
+    __builtin_prefetch(&place_[edge]);
+  }
+
   /// Puts an edge in, or moves it to its new key.
   void set(uint32_t edge, double key) {
     key_[edge] = key;

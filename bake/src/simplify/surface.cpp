@@ -50,7 +50,7 @@ std::vector<uint32_t> cornersPerSlot(const Mesh& mesh) {
 Surface::Surface(const Mesh& mesh) : at_(cornersPerSlot(mesh)) {
   faces_.reserve(mesh.triangleCount());
   for (uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    const Face f{{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, mesh.triangles[t], {0, 0, 0}};
+    const Face f{{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, mesh.triangles[t], {0, 0, 0}, {}};
     const std::span<const uint32_t> others = facesAt(f.corner[0]);
     if (std::any_of(others.begin(), others.end(), [&](uint32_t g) { return equalFaces(f, faces_[g]); })) continue;
     for (uint32_t slot : f.corner) at_.append(slot, faceCount());
@@ -65,9 +65,10 @@ bool Surface::hasEdge(uint32_t a, uint32_t b) const {
 }
 
 void Surface::classifyEdges(const PosedMesh& posed) {
-  normal_.resize(faceCount());
-  for (uint32_t id = 0; id < faceCount(); ++id) normal_[id] = normalInFirstPose(posed, faces_[id]);
-  for (Face& face : faces_) face.kind = {kUnknown, kUnknown, kUnknown};
+  for (Face& face : faces_) {
+    face.normal = normalInFirstPose(posed, face);
+    face.kind = {kUnknown, kUnknown, kUnknown};
+  }
   for (const Face& face : faces_) {
     for (uint32_t k = 0; k < 3; ++k) {
       if (face.kind[k] == kUnknown) classify(face.corner[(k + 1) % 3], face.corner[(k + 2) % 3]);
@@ -161,7 +162,7 @@ void Surface::mergeEqualFaces(uint32_t slot) {
 void Surface::classifyAround(uint32_t slot, const PosedMesh& posed) {
   for (uint32_t id : facesAt(slot)) {
     faces_[id].kind = {kUnknown, kUnknown, kUnknown};
-    normal_[id] = normalInFirstPose(posed, faces_[id]);
+    faces_[id].normal = normalInFirstPose(posed, faces_[id]);
   }
   for (uint32_t id : facesAt(slot)) {
     const Face& face = faces_[id];
@@ -198,7 +199,7 @@ uint8_t Surface::kindBetween(uint32_t from, uint32_t to) const {
   if (at_edge_.size() != 2) return 0;
   const Face &f = faces_[at_edge_[0]], &g = faces_[at_edge_[1]];
   const uint8_t seam = wedgesDiffer(f, g, from) || wedgesDiffer(f, g, to) ? kSeam : 0;
-  const uint8_t fold = foldsBack(normal_[at_edge_[0]], normal_[at_edge_[1]]) ? kFold : 0;
+  const uint8_t fold = foldsBack(f.normal, g.normal) ? kFold : 0;
   return static_cast<uint8_t>(seam | fold);
 }
 

@@ -29,6 +29,7 @@ struct Face {
   std::array<uint32_t, 3> corner;  // slots
   std::array<uint32_t, 3> wedge;   // classes of wedges; kNone marks a triangle that is gone
   std::array<uint8_t, 3> kind;     // of the edge opposite to each corner
+  glm::vec3 normal{0.0f};          // in the first pose, as long as twice the area
 
   uint32_t cornerOf(uint32_t slot) const {
     return corner[0] == slot ? 0 : corner[1] == slot ? 1 : corner[2] == slot ? 2 : 3;
@@ -85,8 +86,7 @@ class Surface {
   uint8_t kindBetween(uint32_t from, uint32_t to) const;
 
   std::vector<Face> faces_;
-  ListPool at_;                    // per slot: its triangles, ascending by time of arrival
-  std::vector<glm::vec3> normal_;  // per face, in the first pose, as long as twice the area
+  ListPool at_;  // per slot: its triangles, ascending by time of arrival
   uint32_t triangle_count_ = 0;
   std::vector<uint32_t> scratch_;
   std::vector<uint32_t> at_edge_;  // faces
