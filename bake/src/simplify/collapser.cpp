@@ -127,10 +127,7 @@ void Collapser::prefetchAround(uint32_t edge) const {
 void Collapser::prefetchRing(uint32_t edge) {
   ring_.clear();
   for (uint32_t slot : edges_.ends[edge]) {
-    for (uint32_t id : surface_.facesAt(slot)) {
-      const auto& corner = surface_.face(id).corner;
-      ring_.push_back(corner[0] == slot ? corner[1] : corner[1] == slot ? corner[2] : corner[0]);
-    }
+    for (uint32_t id : surface_.facesAt(slot)) ring_.push_back(surface_.face(id).nextTo(slot));
     for (uint32_t near : edges_.at[slot]) __builtin_prefetch(&edges_.ends[near]);
   }
   for (uint32_t slot : ring_) {

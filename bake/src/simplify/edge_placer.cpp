@@ -32,6 +32,13 @@ JointUnion unionOf(const QuantizedSkin& a, const QuantizedSkin& b) {
   return joints;
 }
 
+/// Without branches or calls: most pairs are asked once.
+bool sameSkin(const QuantizedSkin& a, const QuantizedSkin& b) {
+  uint32_t difference = a.count ^ b.count;
+  for (uint32_t k = 0; k < a.joint.size(); ++k) difference |= (a.joint[k] ^ b.joint[k]) | (a.weight[k] ^ b.weight[k]);
+  return difference == 0;
+}
+
 }  // namespace
 
 QuantizedSkin EdgePlacer::skinBetween(uint32_t a, uint32_t b, int32_t t8) const {
@@ -67,7 +74,7 @@ Placement EdgePlacer::placeAtEnd(uint32_t a, uint32_t b) {
 
 Placement EdgePlacer::placeFreely(uint32_t a, uint32_t b) {
   const Segment segment(nodes_.positions[a], nodes_.positions[b], nodes_.placement_shift, nodes_.grid_bits);
-  const bool one_skin = nodes_.skins[a] == nodes_.skins[b];
+  const bool one_skin = sameSkin(nodes_.skins[a], nodes_.skins[b]);
   last_t8_ = kNoBlend;
   Placement best = bestStart(a, b, segment, one_skin);
   // With one skin the energy is a quadratic in the position: one step is all there is to gain.

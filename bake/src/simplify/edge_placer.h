@@ -28,7 +28,8 @@ class EdgePlacer {
  public:
   std::vector<Quadric> quadric;   // of the edge, about a's posed position; the caller fills it
   std::vector<PosedPoint> posed;  // of the last placement returned
-  std::vector<FanFace> fan;       // scratch for the caller
+  std::vector<FanFace> fan;       // scratch for the caller, like the next
+  std::vector<uint32_t> between;
 
   /// The cheaper end point, with its own skin.
   Placement placeAtEnd(uint32_t a, uint32_t b);

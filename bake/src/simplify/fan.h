@@ -29,8 +29,7 @@ struct EdgeWeights {
 };
 
 inline FanFace fanFace(const Face& face, uint32_t slot, const PosedMesh& posed, const EdgeWeights& weights) {
-  constexpr uint8_t kNext[] = {1, 2, 0}, kLast[] = {2, 0, 1};
-  const uint32_t k = face.knownCornerOf(slot), next = kNext[k], last = kLast[k];
+  const uint32_t k = face.knownCornerOf(slot), next = Face::kAfter[k], last = Face::kAfter[k + 1];
   return {posed.at(slot), posed.at(face.corner[next]), posed.at(face.corner[last]), weights.of(face.kind[last]),
           weights.of(face.kind[next])};
 }

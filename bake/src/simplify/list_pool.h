@@ -46,12 +46,14 @@ class ListPool {
     std::copy(ids.begin(), ids.end(), ids_.begin() + l.begin);
   }
 
-  /// Removes one occurrence, keeping the order; the id must be there.
+  /// Removes an id, keeping the order; it must be there, once. Without branches: where it is nobody can guess.
   void remove(uint32_t list, uint32_t id) {
-    const std::span<uint32_t> ids = (*this)[list];
-    const auto found = std::find(ids.begin(), ids.end(), id);
-    std::copy(found + 1, ids.end(), found);
-    --lists_[list].count;
+    uint32_t kept = 0;
+    for (uint32_t& each : (*this)[list]) {
+      ids_[lists_[list].begin + kept] = each;
+      kept += each != id ? 1 : 0;
+    }
+    lists_[list].count = kept;
   }
 
  private:

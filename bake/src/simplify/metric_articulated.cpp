@@ -50,9 +50,7 @@ class ArticulatedMetric : public Metric {
   void prefetchAround(uint32_t slot) const override {
     if (!stale_[slot]) return;
     for (uint32_t id : surface_.facesAt(slot)) {
-      const Face& face = surface_.face(id);
-      constexpr uint8_t kNext[] = {1, 2, 0};
-      prefetchAll(nodes_.posed.at(face.corner[kNext[face.knownCornerOf(slot)]]), nodes_.posed.blocks);
+      prefetchAll(nodes_.posed.at(surface_.face(id).nextTo(slot)), nodes_.posed.blocks);
     }
   }
 
@@ -101,16 +99,22 @@ class ArticulatedMetric : public Metric {
  private:
   void fillQuadric(uint32_t a, uint32_t b, EdgePlacer& placer) const {
     const PosedMesh& posed = nodes_.posed;
-    gatherBetween(a, b, placer.fan);
+    gatherBetween(a, b, placer);
     combineLess(placer.fan, currentAt(a), currentAt(b), posed.at(a), posed.at(b), posed.blocks, placer.quadric.data());
   }
 
   /// The triangles that both ends have: the sum of the ends' quadrics counts them twice, the others once.
-  void gatherBetween(uint32_t a, uint32_t b, std::vector<FanFace>& fan) const {
-    fan.clear();
-    for (uint32_t id : surface_.facesAt(a)) {
-      if (surface_.face(id).has(b)) fan.push_back(fanFace(surface_.face(id), a, nodes_.posed, weights_));
+  void gatherBetween(uint32_t a, uint32_t b, EdgePlacer& placer) const {
+    const std::span<const uint32_t> ids = surface_.facesAt(a);
+    placer.between.resize(ids.size());
+    size_t count = 0;
+    for (uint32_t id : ids) {
+      placer.between[count] = id;  // without branches: which ones they are nobody can guess
+      count += surface_.face(id).has(b) ? 1 : 0;
     }
+    placer.fan.resize(count);
+    for (size_t i = 0; i < count; ++i)
+      placer.fan[i] = fanFace(surface_.face(placer.between[i]), a, nodes_.posed, weights_);
   }
 
   double guarded(uint32_t a, uint32_t b, double current, const PosedPoint* point) const {

@@ -146,16 +146,18 @@ void Surface::uniteWedges(uint32_t a, uint32_t b) {
 }
 
 void Surface::mergeEqualFaces(uint32_t slot) {
-  for (uint32_t i = 1; i < facesAt(slot).size(); ++i) {
+  others_.clear();
+  for (uint32_t i = 0; i < facesAt(slot).size(); ++i) {
     const uint32_t id = facesAt(slot)[i];
-    for (uint32_t j = 0; j < i; ++j) {
-      if (!equalFaces(faces_[id], faces_[facesAt(slot)[j]])) continue;
-      for (uint32_t corner : faces_[id].corner) at_.remove(corner, id);
-      faces_[id].wedge[0] = kNone;
-      --triangle_count_;
-      --i;
-      break;
+    const uint64_t others = uint64_t{faces_[id].nextTo(slot)} << 32 | faces_[id].lastTo(slot);
+    if (std::find(others_.begin(), others_.end(), others) == others_.end()) {
+      others_.push_back(others);
+      continue;
     }
+    for (uint32_t corner : faces_[id].corner) at_.remove(corner, id);
+    faces_[id].wedge[0] = kNone;
+    --triangle_count_;
+    --i;
   }
 }
 
@@ -165,13 +167,14 @@ void Surface::classifyAround(uint32_t slot, const PosedMesh& posed) {
     faces_[id].normal = normalInFirstPose(posed, faces_[id]);
   }
   for (uint32_t id : facesAt(slot)) {
+    const uint32_t next = faces_[id].nextTo(slot), last = faces_[id].lastTo(slot);
+    classify(next, last);
+    classify(slot, next);
+  }
+  // Where the triangles around the slot agree on their orientation only borders are left.
+  for (uint32_t id : facesAt(slot)) {
     const Face& face = faces_[id];
-    for (uint32_t k = 0; k < 3; ++k) {
-      if (face.kind[k] != kUnknown) continue;  // set from the triangle across the edge
-      uint32_t from = face.corner[(k + 1) % 3], to = face.corner[(k + 2) % 3];
-      if (to == slot) std::swap(from, to);  // its own triangles are at hand
-      classify(from, to);
-    }
+    if (face.kind[Face::kAfter[face.knownCornerOf(slot)]] == kUnknown) classify(slot, face.lastTo(slot));
   }
 }
 
@@ -184,14 +187,16 @@ void Surface::classify(uint32_t from, uint32_t to) {
   }
 }
 
+// Without branches: which triangles they are nobody can guess.
 void Surface::findFacesBetween(uint32_t from, uint32_t to) {
-  const std::span<const uint32_t> at_from = facesAt(from), at_to = facesAt(to);
-  uint64_t marks = 0;  // of the lowest bits of the ids at `to`: most that are not there are told by them
-  for (uint32_t id : at_to) marks |= uint64_t{1} << (id % 64);
-  at_edge_.clear();
+  const std::span<const uint32_t> at_from = facesAt(from);
+  at_edge_.resize(at_from.size());
+  size_t count = 0;
   for (uint32_t id : at_from) {
-    if ((marks >> (id % 64) & 1) && faces_[id].has(to)) at_edge_.push_back(id);
+    at_edge_[count] = id;
+    count += faces_[id].has(to) ? 1 : 0;
   }
+  at_edge_.resize(count);
 }
 
 uint8_t Surface::kindBetween(uint32_t from, uint32_t to) const {

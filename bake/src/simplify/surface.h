@@ -39,6 +39,11 @@ struct Face {
   bool has(uint32_t slot) const { return ((corner[0] == slot) | (corner[1] == slot) | (corner[2] == slot)) != 0; }
   /// Of a slot that it has.
   uint32_t knownCornerOf(uint32_t slot) const { return (corner[1] == slot ? 1u : 0u) + (corner[2] == slot ? 2u : 0u); }
+  /// The corners after a slot that it has, in order.
+  uint32_t nextTo(uint32_t slot) const { return corner[kAfter[knownCornerOf(slot)]]; }
+  uint32_t lastTo(uint32_t slot) const { return corner[kAfter[knownCornerOf(slot) + 1]]; }
+
+  static constexpr std::array<uint8_t, 4> kAfter{1, 2, 0, 1};
 };
 
 class Surface {
@@ -89,6 +94,7 @@ class Surface {
   ListPool at_;  // per slot: its triangles, ascending by time of arrival
   uint32_t triangle_count_ = 0;
   std::vector<uint32_t> scratch_;
+  std::vector<uint64_t> others_;
   std::vector<uint32_t> at_edge_;  // faces
 };
 
