@@ -92,15 +92,18 @@ void Collapser::judgeAgain(uint32_t edge) {
   prefetchFaces(next);
   placeEdge(edge, placer_);
   prefetchAround(next);
+  queue_.forNext([&](uint32_t soon) { __builtin_prefetch(&edges_.ends[soon]); });
   judged_ = edge;
 }
 
 void Collapser::prefetchSlots(uint32_t edge) const {
   if (edge == kNone) return;
   __builtin_prefetch(&placement_[edge]);
+  __builtin_prefetch(&stamp_[edge]);
   for (uint32_t slot : edges_.ends[edge]) {
     surface_.prefetchHead(slot);
     edges_.at.prefetchHead(slot);
+    __builtin_prefetch(&version_[slot]);
     metric_->prefetch(slot);
   }
 }

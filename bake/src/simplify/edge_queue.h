@@ -25,6 +25,12 @@ class EdgeQueue {
     const auto end = heap_.begin() + static_cast<ptrdiff_t>(std::min<size_t>(heap_.size(), 5));
     return static_cast<uint32_t>(std::min_element(heap_.begin() + 1, end)->edge);
   }
+  /// soon(edge) for the four of which one comes after the top.
+  template <class Hint>
+  void forNext(const Hint& soon) const {
+    for (size_t place = 1; place < std::min<size_t>(heap_.size(), 5); ++place)
+      soon(static_cast<uint32_t>(heap_[place].edge));
+  }
   bool contains(uint32_t edge) const { return place_[edge] != kNone; }
   double key(uint32_t edge) const { return key_[edge]; }
 

@@ -10,7 +10,7 @@ namespace {
 
 using Palette = std::vector<glm::dmat4>;
 
-glm::dvec3 posedVertex(const Mesh& mesh, const Palette& palette, uint32_t vertex) {
+LITHE_INLINE glm::dvec3 posedVertex(const Mesh& mesh, const Palette& palette, uint32_t vertex) {
   const glm::dvec4 rest(mesh.grid.origin + mesh.grid.step * glm::dvec3(mesh.positions[vertex]), 1.0);
   const QuantizedSkin& skin = mesh.skins[vertex];
   glm::dvec3 posed(0.0);
@@ -25,7 +25,7 @@ struct Frame {
   double diagonal = 0.0;
 };
 
-Frame frameOf(const Mesh& mesh, const Palette& palette) {
+LITHE_KERNEL Frame frameOf(const Mesh& mesh, const Palette& palette) {
   glm::dvec3 lower(posedVertex(mesh, palette, 0)), upper = lower;
   for (uint32_t v = 1; v < mesh.vertexCount(); ++v) {
     const glm::dvec3 posed = posedVertex(mesh, palette, v);
