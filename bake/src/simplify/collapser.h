@@ -10,6 +10,7 @@
 #include "edge_queue.h"
 #include "edges.h"
 #include "fan.h"
+#include "huge_pages.h"
 #include "metric.h"
 #include "refit.h"
 
@@ -81,10 +82,10 @@ class Collapser {
   std::unique_ptr<Refit> refit_;  // none: nothing is refit
 
   std::vector<uint32_t> node_of_;     // per slot
-  std::vector<uint32_t> version_;     // per slot: how often its triangles have changed
+  LargeVector<uint32_t> version_;     // per slot: how often its triangles have changed
   std::vector<uint32_t> blocked_at_;  // per slot: how many of its edges wait for a change
-  std::vector<Placement> placement_;  // per edge, as last judged
-  std::vector<uint32_t> stamp_;       // per edge: the versions it was judged at
+  LargeVector<Placement> placement_;  // per edge, as last judged
+  LargeVector<uint32_t> stamp_;       // per edge: the versions it was judged at
   std::vector<uint8_t> blocked_;      // per edge
   uint32_t vertex_count_, next_node_;
   uint32_t judged_ = kNone;  // the edge that placer_ holds the answer for

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "huge_pages.h"
 #include "lithe/bake/model.h"
 #include "prefetch.h"
 
@@ -15,7 +16,9 @@ namespace lithe::bake {
 
 class EdgeQueue {
  public:
-  explicit EdgeQueue(uint32_t edge_count) : key_(edge_count, 0.0), place_(edge_count, kNone) {}
+  explicit EdgeQueue(uint32_t edge_count) : key_(edge_count, 0.0), place_(edge_count, kNone) {
+    heap_.reserve(edge_count);
+  }
 
   bool empty() const { return heap_.empty(); }
   uint32_t top() const { return static_cast<uint32_t>(heap_.front().edge); }
@@ -104,9 +107,9 @@ class EdgeQueue {
     place_[heap_[to].edge] = to;
   }
 
-  std::vector<double> key_;      // per edge
-  std::vector<uint32_t> place_;  // per edge: where in the heap, or kNone
-  std::vector<Entry> heap_;
+  LargeVector<double> key_;      // per edge
+  LargeVector<uint32_t> place_;  // per edge: where in the heap, or kNone
+  LargeVector<Entry> heap_;
 };
 
 }  // namespace lithe::bake

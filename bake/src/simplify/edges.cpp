@@ -8,8 +8,8 @@ namespace lithe::bake {
 
 namespace {
 
-std::vector<std::array<uint32_t, 2>> sortedPairs(const Surface& surface, uint32_t slot_count) {
-  std::vector<std::array<uint32_t, 2>> pairs;
+LargeVector<std::array<uint32_t, 2>> sortedPairs(const Surface& surface, uint32_t slot_count) {
+  LargeVector<std::array<uint32_t, 2>> pairs;
   pairs.reserve(size_t{3} * surface.faceCount() / 2 + slot_count);
   std::vector<uint32_t> higher;
   for (uint32_t slot = 0; slot < slot_count; ++slot) {
@@ -26,7 +26,7 @@ std::vector<std::array<uint32_t, 2>> sortedPairs(const Surface& surface, uint32_
   return pairs;
 }
 
-std::vector<uint32_t> edgesPerSlot(const std::vector<std::array<uint32_t, 2>>& ends, uint32_t slot_count) {
+std::vector<uint32_t> edgesPerSlot(const LargeVector<std::array<uint32_t, 2>>& ends, uint32_t slot_count) {
   std::vector<uint32_t> count(slot_count, 0);
   for (const auto& pair : ends) {
     for (uint32_t slot : pair) ++count[slot];

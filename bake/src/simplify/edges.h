@@ -6,13 +6,14 @@
 #include <array>
 #include <vector>
 
+#include "huge_pages.h"
 #include "list_pool.h"
 #include "surface.h"
 
 namespace lithe::bake {
 
 struct Edges {
-  std::vector<std::array<uint32_t, 2>> ends;  // per edge, slots; kNone when the edge is gone
+  LargeVector<std::array<uint32_t, 2>> ends;  // per edge, slots; kNone when the edge is gone
   ListPool at;                                // per slot: its edges
 
   Edges() = default;

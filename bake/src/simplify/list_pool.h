@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include "huge_pages.h"
 
 namespace lithe::bake {
 
@@ -60,8 +61,8 @@ class ListPool {
   struct List {
     uint32_t begin, count, capacity;
   };
-  std::vector<List> lists_;
-  std::vector<uint32_t> ids_;
+  LargeVector<List> lists_;
+  LargeVector<uint32_t> ids_;
 };
 
 }  // namespace lithe::bake

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fan.h"
+#include "huge_pages.h"
 #include "metric.h"
 #include "prefetch.h"
 
@@ -133,8 +134,8 @@ class ArticulatedMetric : public Metric {
   const Surface& surface_;
   EdgeWeights weights_;
   double weight_gain_;
-  std::vector<Symmetric> current_;    // [slot][block] of the triangles as they are
-  std::vector<Quadric> accumulated_;  // [slot][block] of the mesh as it was
+  LargeVector<Symmetric> current_;    // [slot][block] of the triangles as they are
+  LargeVector<Quadric> accumulated_;  // [slot][block] of the mesh as it was
   std::vector<uint8_t> stale_, fresh_start_;
   mutable std::vector<PosedPoint> unimproved_;
 };

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "huge_pages.h"
 #include "lanes.h"
 #include "lithe/bake/mesh.h"
 
@@ -25,7 +26,7 @@ struct PosedMesh {
   double unit = 1.0;                  // the posed diagonal in model units
   float weight_scale = 1.0f;          // 1 / Mesh::weight_one
   std::vector<Affine> palette;        // [joint][block]: from grid coordinates
-  std::vector<PosedPoint> positions;  // [slot][block]
+  LargeVector<PosedPoint> positions;  // [slot][block]
 
   PosedPoint* at(uint32_t slot) { return positions.data() + size_t{slot} * blocks; }
   const PosedPoint* at(uint32_t slot) const { return positions.data() + size_t{slot} * blocks; }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fan.h"
+#include "huge_pages.h"
 #include "nearest_face.h"
 #include "node_state.h"
 #include "placement.h"
@@ -78,7 +79,7 @@ class Refit {
   const EdgeWeights weights_;
   const uint32_t threads_;
   uint32_t blocks_;
-  std::vector<PosedPoint> position_;  // of the original's vertices
+  LargeVector<PosedPoint> position_;  // of the original's vertices
   std::vector<Sampled> faces_, borders_;
   std::vector<uint32_t> into_;   // per slot: the slot it has become part of
   std::vector<Made> made_;       // per slot

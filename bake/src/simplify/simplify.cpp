@@ -16,6 +16,7 @@ CollapseSequence simplify(const Mesh& mesh, const std::vector<Joint>& joints, co
   std::vector<uint32_t> levels = options.levels;
   std::sort(levels.begin(), levels.end());
   CollapseSequence sequence;
+  sequence.collapses.reserve(mesh.vertexCount());
   while (collapser.triangleCount() > options.min_triangles) {
     Collapse collapse;
     if (!collapser.collapseNext(collapse)) break;

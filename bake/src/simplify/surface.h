@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "huge_pages.h"
 #include "list_pool.h"
 #include "lithe/bake/mesh.h"
 #include "posed_mesh.h"
@@ -90,7 +91,7 @@ class Surface {
   void findFacesBetween(uint32_t from, uint32_t to);
   uint8_t kindBetween(uint32_t from, uint32_t to) const;
 
-  std::vector<Face> faces_;
+  LargeVector<Face> faces_;
   ListPool at_;  // per slot: its triangles, ascending by time of arrival
   uint32_t triangle_count_ = 0;
   std::vector<uint32_t> scratch_;
