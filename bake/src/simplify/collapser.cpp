@@ -81,18 +81,18 @@ double Collapser::tieBreak(uint32_t a, uint32_t b) const {
   return kTieBreak * sum * sum / posed.pose_count;
 }
 
-// While this edge is judged, step by step, what the next one needs is on its way.
+// While this edge is judged, what the next three need is on its way: where they are, the nodes, the nodes' neighbours.
 void Collapser::judgeAgain(uint32_t edge) {
   const auto [a, b] = edges_.ends[edge];
-  const uint32_t next = queue_.second();
-  prefetchSlots(next);
-  metric_->refresh(a, fan_);
-  prefetchLists(next);
-  metric_->refresh(b, fan_);
+  const auto [next, second, third] = queue_.afterTop();
+  if (third != kNone) __builtin_prefetch(&edges_.ends[third]);
+  prefetchSlots(second);
   prefetchFaces(next);
-  placeEdge(edge, placer_);
+  metric_->refresh(a, fan_);
+  prefetchLists(second);
+  metric_->refresh(b, fan_);
   prefetchAround(next);
-  queue_.forNext([&](uint32_t soon) { __builtin_prefetch(&edges_.ends[soon]); });
+  placeEdge(edge, placer_);
   judged_ = edge;
 }
 

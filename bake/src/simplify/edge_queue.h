@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -22,17 +23,21 @@ class EdgeQueue {
 
   bool empty() const { return heap_.empty(); }
   uint32_t top() const { return static_cast<uint32_t>(heap_.front().edge); }
-  /// What comes after the top; kNone when there is nothing.
-  uint32_t second() const {
-    if (heap_.size() < 2) return kNone;
-    const auto end = heap_.begin() + static_cast<ptrdiff_t>(std::min<size_t>(heap_.size(), 5));
-    return static_cast<uint32_t>(std::min_element(heap_.begin() + 1, end)->edge);
-  }
-  /// soon(edge) for the four of which one comes after the top.
-  template <class Hint>
-  void forNext(const Hint& soon) const {
-    for (size_t place = 1; place < std::min<size_t>(heap_.size(), 5); ++place)
-      soon(static_cast<uint32_t>(heap_[place].edge));
+  /// What comes after the top, in order; kNone where nothing is left.
+  std::array<uint32_t, 3> afterTop() const {
+    std::array<size_t, 12> front;  // places of which one is the next: four, and four more for each that was taken
+    size_t count = addChildren(0, front.data(), 0);
+    std::array<uint32_t, 3> next{kNone, kNone, kNone};
+    for (uint32_t& edge : next) {
+      if (count == 0) break;
+      size_t least = 0;
+      for (size_t i = 1; i < count; ++i) least = heap_[front[i]] < heap_[front[least]] ? i : least;
+      const size_t place = front[least];
+      edge = static_cast<uint32_t>(heap_[place].edge);
+      front[least] = front[--count];
+      count = &edge == &next.back() ? count : addChildren(place, front.data(), count);
+    }
+    return next;
   }
   bool contains(uint32_t edge) const { return place_[edge] != kNone; }
   double key(uint32_t edge) const { return key_[edge]; }
@@ -78,6 +83,11 @@ class EdgeQueue {
   static uint64_t orderOf(double key) {
     const auto bits = std::bit_cast<uint64_t>(key + 0.0);  // -0 is 0
     return bits >> 63 ? ~bits : bits | uint64_t{1} << 63;
+  }
+
+  size_t addChildren(size_t place, size_t* front, size_t count) const {
+    for (size_t child = 4 * place + 1; child < std::min(heap_.size(), 4 * place + 5); ++child) front[count++] = child;
+    return count;
   }
 
   /// Fills a hole with an entry, which moves up or down from there to its place.
