@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <new>
+#include <utility>
 #include <vector>
 
 #if defined(__linux__)
@@ -39,13 +40,24 @@ struct HugePages {
     ::operator delete(memory, std::align_val_t(alignmentFor(count * sizeof(T))));
   }
 
+  /// Lanes that nobody has given a value have none: what is made to be filled is not filled with zeros first.
+  template <class U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+  template <class U, class First, class... Rest>
+  void construct(U* at, First&& first, Rest&&... rest) {
+    ::new (static_cast<void*>(at)) U{std::forward<First>(first), std::forward<Rest>(rest)...};
+  }
+
   template <class U>
   bool operator==(const HugePages<U>&) const {
     return true;
   }
 };
 
-/// A vector for values of which there are as many as the mesh has vertices, triangles or edges.
+/// A vector for values of which there are as many as the mesh has vertices, triangles or edges. resize() leaves new ones
+/// without a value where their type gives them none.
 template <class T>
 using LargeVector = std::vector<T, HugePages<T>>;
 

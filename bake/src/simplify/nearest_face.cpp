@@ -76,6 +76,12 @@ void FaceSearch::gather(const std::array<uint32_t, 3>& slots) {
   makeRoom(slots);
   ++last_stamp_;
   candidate_count_ = vertex_count_ = 0;
+  for (uint32_t slot : slots) {
+    for (uint32_t id : surface_.facesAt(slot)) {
+      __builtin_prefetch(&surface_.face(id));
+      __builtin_prefetch(&lengths_[id]);
+    }
+  }
   for (uint32_t k = 0; k < 3; ++k) {
     if ((k > 0 && slots[k] == slots[0]) || (k > 1 && slots[k] == slots[1])) continue;
     for (uint32_t id : surface_.facesAt(slots[k])) {

@@ -40,7 +40,7 @@ struct Bench {
     fanQuadric(fan, blocks, qa.data());
     gatherFan(surface, b, nodes.posed, EdgeWeights{SimplifyOptions{}}, fan);
     fanQuadric(fan, blocks, qb.data());
-    combine(qa.data(), qb.data(), nodes.posed.at(a), nodes.posed.at(b), blocks, placer.quadric.data());
+    combineLess({}, qa.data(), qb.data(), nodes.posed.at(a), nodes.posed.at(b), blocks, placer.quadric.data());
   }
 
   double energyOf(uint32_t a, const glm::ivec3& position, const QuantizedSkin& skin) const {

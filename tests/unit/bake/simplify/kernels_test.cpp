@@ -84,6 +84,51 @@ TEST(Kernels, EnergiesMatchTheScalarSpecification) {
   }
 }
 
+TEST(Kernels, WhatIsDoneTogetherIsWhatIsDoneApart) {
+  lithe::test::Random random(12);
+  for (int run = 0; run < 50; ++run) {
+    const std::vector<Quadric> qa{randomQuadric(random), randomQuadric(random)};
+    const std::vector<Quadric> qb{randomQuadric(random), randomQuadric(random)};
+    const std::vector<PosedPoint> a{randomPoint(random), randomPoint(random)};
+    const std::vector<PosedPoint> b{randomPoint(random), randomPoint(random)};
+    const std::vector<PosedPoint> point{randomPoint(random), randomPoint(random)};
+    const auto [of_a, of_b] = energies(qa.data(), qb.data(), a.data(), b.data(), point.data(), 2);
+    EXPECT_EQ(of_a, energy(qa.data(), a.data(), point.data(), 2));
+    EXPECT_EQ(of_b, energy(qb.data(), b.data(), point.data(), 2));
+
+    const auto [here, there] = energiesAtEnds(qa.data(), a.data(), b.data(), 2);
+    EXPECT_EQ(here, energy(qa.data(), a.data(), a.data(), 2));
+    EXPECT_EQ(there, energy(qa.data(), a.data(), b.data(), 2));
+
+    std::vector<Affine> blend(2);
+    for (Affine& block : blend) {
+      for (auto& row : block.m) {
+        for (Lanes& entry : row) entry = randomLanes(random, 1.0);
+      }
+    }
+    std::vector<PosedPoint> together(2), apart(2);
+    const glm::vec3 place(3.0f, 4.0f, 5.0f);
+    const float found = energyOfPlace(qa.data(), a.data(), blend.data(), place, 2, together.data());
+    transformPoint(blend.data(), 2, place, apart.data());
+    EXPECT_EQ(found, energy(qa.data(), a.data(), apart.data(), 2));
+    EXPECT_EQ(std::memcmp(together.data(), apart.data(), 2 * sizeof(PosedPoint)), 0);
+  }
+}
+
+TEST(Kernels, TheFacesBetweenTwoVerticesCountOnce) {
+  lithe::test::Random random(13);
+  const PosedPoint a = randomPoint(random), b = randomPoint(random), third = randomPoint(random);
+  const FanFace at_a{&a, &b, &third}, at_b{&b, &third, &a};
+  Symmetric qa, qb;
+  fanQuadric({&at_a, 1}, 1, &qa);
+  fanQuadric({&at_b, 1}, 1, &qb);
+  Quadric once;
+  combineLess({&at_a, 1}, &qa, &qb, &a, &b, 1, &once);
+  const PosedPoint off = randomPoint(random);
+  const Quadric expected = withoutLinearTerm(qa);
+  EXPECT_NEAR(energy(&once, &a, &off, 1), energy(&expected, &a, &off, 1), 1e-3);
+}
+
 TEST(Kernels, NormalEquationsMatchTheScalarSpecification) {
   lithe::test::Random random(3);
   for (int run = 0; run < 50; ++run) {

@@ -52,6 +52,20 @@ TEST(EdgeQueue, StaysOrderedUnderRandomChanges) {
   }
 }
 
+TEST(EdgeQueue, TellsWhatComesAfterTheTop) {
+  lithe::test::Random random(6);
+  EdgeQueue queue(60);
+  std::vector<std::pair<double, uint32_t>> all;
+  for (uint32_t edge = 0; edge < 60; ++edge) {
+    const std::array<uint32_t, 3> next = queue.afterTop();
+    std::sort(all.begin(), all.end());
+    for (uint32_t rank = 0; rank < 3; ++rank)
+      EXPECT_EQ(next[rank], rank + 1 < all.size() ? all[rank + 1].second : kNone);
+    all.emplace_back(random.below(20) - 10.0, edge);
+    queue.set(edge, all.back().first);
+  }
+}
+
 TEST(ListPool, ListsGrowAndShrinkWithoutDisturbingOthers) {
   const uint32_t capacities[] = {2, 1, 0};
   ListPool pool(capacities);
