@@ -76,7 +76,8 @@ class EdgeQueue {
     uint64_t edge;
 
     bool operator<(const Entry& other) const {
-      return (order < other.order) | ((order == other.order) & (edge < other.edge));
+      const uint32_t below = order < other.order, equal = order == other.order, first = edge < other.edge;
+      return (below | (equal & first)) != 0;
     }
   };
 

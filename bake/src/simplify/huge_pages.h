@@ -56,8 +56,8 @@ struct HugePages {
   }
 };
 
-/// A vector for values of which there are as many as the mesh has vertices, triangles or edges. resize() leaves new ones
-/// without a value where their type gives them none.
+/// A vector for values of which there are as many as the mesh has vertices, triangles or edges. resize() leaves new
+/// ones without a value where their type gives them none.
 template <class T>
 using LargeVector = std::vector<T, HugePages<T>>;
 

@@ -17,7 +17,7 @@ inline glm::ivec3 toVec3(const format::Int3& v) { return {v.x, v.y, v.z}; }
 /// The edge from child 0 (v, t8 = 0) to child 1 (u, t8 = 8) in grid coordinates.
 struct Segment {
   glm::ivec3 v, d;
-  int32_t step;       // of the lattice, a power of two
+  int32_t step;  // of the lattice, a power of two
   int32_t step_log2;
   int32_t highest;  // grid coordinate
 

@@ -37,7 +37,9 @@ struct Face {
   }
   bool alive() const { return wedge[0] != kNone; }
   /// Without branches: which corner it is nobody can guess.
-  bool has(uint32_t slot) const { return ((corner[0] == slot) | (corner[1] == slot) | (corner[2] == slot)) != 0; }
+  bool has(uint32_t slot) const {
+    return (uint32_t{corner[0] == slot} | uint32_t{corner[1] == slot} | uint32_t{corner[2] == slot}) != 0;
+  }
   /// Of a slot that it has.
   uint32_t knownCornerOf(uint32_t slot) const { return (corner[1] == slot ? 1u : 0u) + (corner[2] == slot ? 2u : 0u); }
   /// The corners after a slot that it has, in order.
