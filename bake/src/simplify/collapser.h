@@ -10,7 +10,7 @@
 #include "edge_queue.h"
 #include "edges.h"
 #include "fan.h"
-#include "huge_pages.h"
+#include "large_vector.h"
 #include "metric.h"
 #include "refit.h"
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "huge_pages.h"
+#include "large_vector.h"
 #include "lithe/bake/model.h"
 #include "prefetch.h"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "huge_pages.h"
+#include "large_vector.h"
 #include "list_pool.h"
 #include "surface.h"
 

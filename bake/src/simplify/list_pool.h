@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "huge_pages.h"
+#include "large_vector.h"
 
 namespace lithe::bake {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "fan.h"
-#include "huge_pages.h"
+#include "large_vector.h"
 #include "metric.h"
 #include "prefetch.h"
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "huge_pages.h"
 #include "lanes.h"
+#include "large_vector.h"
 #include "lithe/bake/mesh.h"
 
 namespace lithe::bake {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "fan.h"
-#include "huge_pages.h"
+#include "large_vector.h"
 #include "nearest_face.h"
 #include "node_state.h"
 #include "placement.h"

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "huge_pages.h"
+#include "large_vector.h"
 #include "list_pool.h"
 #include "lithe/bake/mesh.h"
 #include "posed_mesh.h"
