@@ -15,8 +15,8 @@
 #include <emmintrin.h>
 #endif
 
-// Compiles a kernel twice, with and without AVX2, chosen when the program starts; contraction is off, so the bits
-// agree. clang refuses to return Lanes from what the clones inline.
+// Compiles a kernel three times, plain, with AVX2 and with AVX-512's registers, chosen when the program starts;
+// contraction is off, so the bits agree. clang refuses to return Lanes from what the clones inline.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define LITHE_KERNEL __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
