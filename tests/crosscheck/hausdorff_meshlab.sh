@@ -67,7 +67,8 @@ check() {
   done <meshlab.txt
 }
 
-check column "$characters/column.glb" "$characters/small.glb" test 500000
+# Largest distances may lie inside a face, at a narrow peak: with fewer points each of the two programs misses it its own way.
+check column "$characters/column.glb" "$characters/small.glb" test 3000000
 # check_model NAME SAMPLES: a shared character, at a tenth of its triangles
 check_model() {
   local file=$models/$1.glb
@@ -78,6 +79,5 @@ check_model() {
   check "$1" "$file" tenth.glb "$(json out "frames[0].clip")" "$2"
 }
 check_model sintel 500000
-# Its largest distance lies inside a face, at a narrow peak: with fewer points each of the two programs misses it its own way.
 check_model mannequiny 3000000
 finish

@@ -71,15 +71,24 @@ class Triangles {
 /// One metric at work on triangles.
 class Judge {
  public:
-  Judge(const std::string& metric, const Triangles& t)
-      : options_(optionsFor(metric)),
+  static SimplifyOptions optionsFor(const std::string& metric) {
+    SimplifyOptions options;
+    options.metric = metric;
+    options.placement_shift = 31;
+    options.boundary_weight = options.seam_weight = options.fold_weight = 0.0;
+    return options;
+  }
+
+  Judge(const std::string& metric, const Triangles& t) : Judge(optionsFor(metric), t) {}
+  Judge(const SimplifyOptions& options, const Triangles& t)
+      : options_(options),
         nodes_{t.mesh().grid.bits,
                options_.placement_shift,
                t.mesh().weight_one,
                t.mesh().max_influences,
                t.mesh().positions,
                t.mesh().skins,
-               poseMesh(t.mesh(), palettesOf(metric, t.joints(), t.poses()))},
+               poseMesh(t.mesh(), palettesOf(options.metric, t.joints(), t.poses()))},
         surface_(t.mesh()),
         metric_(makeMetric({nodes_, surface_, options_})),
         placer_(nodes_) {
@@ -115,14 +124,6 @@ class Judge {
   }
 
  private:
-  static SimplifyOptions optionsFor(const std::string& metric) {
-    SimplifyOptions options;
-    options.metric = metric;
-    options.placement_shift = 31;
-    options.boundary_weight = options.seam_weight = options.fold_weight = 0.0;
-    return options;
-  }
-
   double unit4() const { return std::pow(nodes_.posed.unit, 4); }
 
   Placement inSteps(Placement placement) const {
@@ -288,13 +289,22 @@ TEST(Metrics, ArticulatedFindsTheWeightsToo) {
   const glm::dvec3 up(0.0, 0.0, 15.0), flat(1.0, 1.0 / 15.0, 1.0);
   t.pose({Matrix(1.0), Matrix(1.0), Matrix(1.0), Matrix(1.0)});
   t.pose({Matrix(1.0), moved(up), scaled(flat), scaled(flat, up)});
-  Judge judge("articulated", t);
+  SimplifyOptions options = Judge::optionsFor("articulated");
+  options.weight_gain = 0.14;
+  Judge judge(options, t);
   const Placement interpolated = judge.place(a, b);
   expectPlacement(interpolated, {220, 0, 0}, 2, 87500.0);
   QuantizedSkin skin = judge.skinBetween(a, b, 2);
   EXPECT_EQ(skin, skinOf(2, {0, 1}, {11, 4}));
   expectPlacement(judge.improveSkin(a, b, interpolated, skin), {220, 0, 0}, 2, 75000.0);
   EXPECT_EQ(skin, skinOf(2, {1, 0}, {9, 6}));
+
+  // A seventh is all there is to gain, which is not worth its bytes when more is asked for.
+  options.weight_gain = 0.15;
+  Judge stricter(options, t);
+  skin = stricter.skinBetween(a, b, 2);
+  expectPlacement(stricter.improveSkin(a, b, stricter.place(a, b), skin), {220, 0, 0}, 2, 87500.0);
+  EXPECT_EQ(skin, skinOf(2, {0, 1}, {11, 4}));
 }
 
 }  // namespace
