@@ -320,16 +320,16 @@ int32_t SplitDecoder::predict(const uint16_t* parent, uint32_t at, int32_t stren
 }
 
 /// Of the two entries of a direction, in the chart around the parent's.
-format::Int2 SplitDecoder::predictDirection(const uint16_t* parent, uint32_t at, const format::OctahedralChart& chart,
+format::Int2 SplitDecoder::predictDirection(const format::ChartedDirection& parent, uint32_t at,
                                             int32_t strength) const {
   if (strength == 0) return {0, 0};
   const uint32_t stride = format_.layout.stride;
   format::Slope slope[2];
   auto point = [&](uint32_t wedge) {
     const uint16_t* p = out_->wedge_attributes + static_cast<size_t>(wedge) * stride + at;
-    return chart.fromSquare({p[0], p[1]});
+    return parent.chart.fromSquare({p[0], p[1]});
   };
-  neighbours_.slopesOf(point, chart.fromSquare({parent[at], parent[at + 1]}), slope);
+  neighbours_.slopesOf(point, parent.point, slope);
   return {format::scaled(strength, slope[0]), format::scaled(strength, slope[1])};
 }
 
@@ -342,14 +342,13 @@ int32_t SplitDecoder::predictWeight(const NodeSkin& parent, uint32_t joint, int3
 }
 
 bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
-                                 const uint16_t* parent, uint16_t* a, uint16_t* b) {
-  const int32_t center = static_cast<int32_t>(format_.normal_center), size = 2 * center;
+                                 const format::ChartedDirection& parent, uint16_t* a, uint16_t* b) {
+  const int32_t size = 2 * parent.chart.center;
   const int64_t exact_x = int64_t{residual(high, static_cast<int32_t>(shift))} + predicted.x;
   const int64_t exact_y = int64_t{residual(high, static_cast<int32_t>(shift))} + predicted.y;
   if (exact_x < -2 * size || exact_x > 2 * size || exact_y < -2 * size || exact_y > 2 * size) return false;
   const format::Int2 d{static_cast<int32_t>(exact_x), static_cast<int32_t>(exact_y)};
-  const format::ChildDirections children =
-      format::splitDirection({parent[0], parent[1]}, d, t8, face_count_ > 0, center);
+  const format::ChildDirections children = format::splitDirection(parent, d, t8, face_count_ > 0);
   a[0] = static_cast<uint16_t>(children.a.x);
   a[1] = static_cast<uint16_t>(children.a.y);
   b[0] = static_cast<uint16_t>(children.b.x);
@@ -385,26 +384,26 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
 bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a,
                             uint16_t* b) {
   const uint8_t* parameters = streams_->parameters;
-  auto chartOf = [this](const uint16_t* direction, uint32_t at) {
-    return format::OctahedralChart::around({direction[at], direction[at + 1]},
-                                           static_cast<int32_t>(format_.normal_center));
-  };
   uint32_t at = 0;
+  auto direction = [&]() -> format::ChartedDirection {
+    return {{parent[at], parent[at + 1]}, static_cast<int32_t>(format_.normal_center)};
+  };
   if (format_.has.normals) {
     const int32_t strength = parameters[format::kNormalGradient], geometry = parameters[format::kNormalGeometry];
-    const auto chart = chartOf(parent, at);
-    const format::Int2 apart = predicted && geometry > 0 ? normalDifference(wedge, chart) : format::Int2{0, 0};
-    const format::Int2 slope = predictDirection(parent, at, chart, strength);
+    const format::ChartedDirection normal = direction();
+    const format::Int2 apart = predicted && geometry > 0 ? normalDifference(wedge, normal.chart) : format::Int2{0, 0};
+    const format::Int2 slope = predictDirection(normal, at, strength);
     const format::Int2 expected{slope.x + ((geometry * apart.x) >> 4), slope.y + ((geometry * apart.y) >> 4)};
     IntReader* normals = streams_->values[format::kNormals];
-    if (!readDirection(normals, parameters[format::kNormalShift], expected, t8, parent, a, b)) return false;
+    if (!readDirection(normals, parameters[format::kNormalShift], expected, t8, normal, a, b)) return false;
     at += 2;
   }
   if (format_.has.tangents) {
     IntReader* tangents = streams_->values[format::kTangents];
     const int32_t strength = parameters[format::kTangentGradient];
-    const format::Int2 expected = predictDirection(parent, at, chartOf(parent, at), strength);
-    if (!readDirection(&tangents[0], parameters[format::kTangentShift], expected, t8, parent + at, a + at, b + at))
+    const format::ChartedDirection tangent = direction();
+    const format::Int2 expected = predictDirection(tangent, at, strength);
+    if (!readDirection(&tangents[0], parameters[format::kTangentShift], expected, t8, tangent, a + at, b + at))
       return false;
     const uint32_t flips = static_cast<uint32_t>(tangents[1].next());
     if (flips > 3) return false;

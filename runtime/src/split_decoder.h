@@ -68,15 +68,14 @@ class SplitDecoder {
   void gatherRing(uint32_t node, uint32_t wedge);
   format::Int2 normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const;
   int32_t predict(const uint16_t* parent, uint32_t at, int32_t strength) const;
-  format::Int2 predictDirection(const uint16_t* parent, uint32_t at, const format::OctahedralChart& chart,
-                                int32_t strength) const;
+  format::Int2 predictDirection(const format::ChartedDirection& parent, uint32_t at, int32_t strength) const;
   int32_t predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const;
   format::Int3 position(uint32_t node) const {
     const int32_t* p = out_->node_position + 3 * static_cast<size_t>(node);
     return {p[0], p[1], p[2]};
   }
-  bool readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8, const uint16_t* parent,
-                     uint16_t* a, uint16_t* b);
+  bool readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
+                     const format::ChartedDirection& parent, uint16_t* a, uint16_t* b);
   uint32_t moveFan();
   uint32_t addFaces();
   uint32_t addFace(const NewFace& face);

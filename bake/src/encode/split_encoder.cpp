@@ -282,9 +282,26 @@ Residual SplitEncoder::directionResidual(uint32_t at, uint32_t parent, uint32_t 
   Residual residual;
   residual.components = 2;
   residual.difference = {d->x, d->y, 0};
-  const auto chart = format::OctahedralChart::around(p, settings_.normal_center);
-  auto point = [&](uint32_t neighbour) { return chart.fromSquare(direction(cut_.wedge_hierarchy[neighbour], at)); };
-  ring.slopesOf(point, chart.fromSquare(p), residual.slope.data());
+  const format::ChartedDirection here(p, settings_.normal_center);
+  auto point = [&](uint32_t neighbour) {
+    return here.chart.fromSquare(direction(cut_.wedge_hierarchy[neighbour], at));
+  };
+  ring.slopesOf(point, here.point, residual.slope.data());
+  return residual;
+}
+
+Residual SplitEncoder::uvResidual(uint32_t set, uint32_t parent, uint32_t a, uint32_t b,
+                                  const format::RingNeighbours& ring) const {
+  Residual residual;
+  residual.kind = Residual::Kind::kUv;
+  residual.set = static_cast<uint8_t>(set);
+  residual.components = 2;
+  for (uint32_t c = 0; c < 2; ++c) {
+    const uint32_t at = cut_.h.record.uv[set] + c;
+    residual.difference[c] = attributes(a)[at] - attributes(b)[at];
+    residual.slope[c] = ring.slopeOf(
+        [&](uint32_t neighbour) { return attributes(cut_.wedge_hierarchy[neighbour])[at] - attributes(parent)[at]; });
+  }
   return residual;
 }
 
@@ -342,18 +359,8 @@ void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& 
     }
     const glm::ivec3 d = glm::abs(cut_.h.position[plan.a] - cut_.h.position[plan.b]);
     for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) {
-      Residual residual;
-      residual.kind = Residual::Kind::kUv;
-      residual.set = static_cast<uint8_t>(s);
-      residual.components = 2;
+      Residual residual = uvResidual(s, parent, a, b, ring);
       residual.extent = static_cast<uint32_t>(std::max({d.x, d.y, d.z}));
-      for (uint32_t c = 0; c < 2; ++c) {
-        const uint32_t at = record.uv[s] + c;
-        residual.difference[c] = attributes(a)[at] - attributes(b)[at];
-        residual.slope[c] = ring.slopeOf([&](uint32_t neighbour) {
-          return attributes(cut_.wedge_hierarchy[neighbour])[at] - attributes(parent)[at];
-        });
-      }
       residuals_.add(residual);
     }
     for (uint32_t s = 0; s < settings_.has.color_sets; ++s)

@@ -62,6 +62,7 @@ class SplitEncoder {
   void writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan, const format::Fan& fan);
   void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
                        const Plan& plan, const format::Fan& fan);
+  Residual uvResidual(uint32_t set, uint32_t parent, uint32_t a, uint32_t b, const format::RingNeighbours& ring) const;
   Residual directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
                              const format::RingNeighbours& ring) const;
   format::Int2 direction(uint32_t hierarchy_wedge, uint32_t at) const {

@@ -92,7 +92,7 @@ TEST(DirectionEighths, AreHalfWayUnlessFarApartOrFolded) {
 // The parent (4, 2, 1) has its chart at +x; two steps along y apart, its children are a step away on either side.
 TEST(SplitDirection, InTheParentsChart) {
   const int32_t parent[3] = {4, 2, 1}, first[3] = {3, 3, 1}, second[3] = {5, 1, 1};
-  const ChildDirections children = splitDirection(octahedralPointOf(parent, 7), {2, 0}, 1, true, 7);
+  const ChildDirections children = splitDirection({octahedralPointOf(parent, 7), 7}, {2, 0}, 1, true);
   EXPECT_TRUE(children.valid);
   EXPECT_EQ(point(children.a), point(octahedralPointOf(first, 7)));
   EXPECT_EQ(point(children.b), point(octahedralPointOf(second, 7)));
@@ -101,7 +101,8 @@ TEST(SplitDirection, InTheParentsChart) {
 TEST(SplitDirection, WithoutFacesTheParentIsTheNearerChilds) {
   const int32_t parent[3] = {4, 2, 1}, other[3] = {2, 4, 1};
   const Int2 p = octahedralPointOf(parent, 7);
-  const ChildDirections at_b = splitDirection(p, {2, 0}, 1, false, 7), at_a = splitDirection(p, {-2, 0}, 7, false, 7);
+  const ChildDirections at_b = splitDirection({p, 7}, {2, 0}, 1, false),
+                        at_a = splitDirection({p, 7}, {-2, 0}, 7, false);
   EXPECT_EQ(point(at_b.b), point(p));
   EXPECT_EQ(point(at_b.a), point(octahedralPointOf(other, 7)));
   EXPECT_EQ(point(at_a.a), point(p));
@@ -109,8 +110,8 @@ TEST(SplitDirection, WithoutFacesTheParentIsTheNearerChilds) {
 }
 
 TEST(SplitDirection, ADifferenceBeyondEveryFoldIsRefused) {
-  EXPECT_FALSE(splitDirection({7, 7}, {60, 0}, 0, true, 7).valid);
-  EXPECT_FALSE(splitDirection({7, 7}, {0, -60}, 8, true, 7).valid);
+  EXPECT_FALSE(splitDirection({{7, 7}, 7}, {60, 0}, 0, true).valid);
+  EXPECT_FALSE(splitDirection({{7, 7}, 7}, {0, -60}, 8, true).valid);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct DirectionRule {
 
   int32_t eighths(format::Int2 d) const { return format::directionEighths(d, t8, makes_faces, center); }
   format::ChildDirections split(format::Int2 parent, format::Int2 d) const {
-    return format::splitDirection(parent, d, t8, makes_faces, center);
+    return format::splitDirection({parent, center}, d, t8, makes_faces);
   }
 };
 

@@ -75,11 +75,21 @@ struct ChildDirections {
   bool valid;  ///< false: d leads too far out of the square
 };
 
-/// Of a parent at a point of the square; d is the way from b to a in its chart.
-constexpr ChildDirections splitDirection(Int2 parent, Int2 d, int32_t t8, bool makes_faces, int32_t center) {
-  const OctahedralChart chart = OctahedralChart::around(parent, center);
-  const int32_t h = directionEighths(d, t8, makes_faces, center), size = 2 * center;
-  const Int2 p = chart.fromSquare(parent), x{p.x - eighths(d.x, h), p.y - eighths(d.y, h)};
+/// A direction, and where it lies in the chart around it.
+struct ChartedDirection {
+  OctahedralChart chart;
+  Int2 point;
+
+  /// Of a point of the square.
+  constexpr ChartedDirection(Int2 p, int32_t center)
+      : chart(OctahedralChart::around(p, center)), point(chart.fromSquare(p)) {}
+};
+
+/// d is the way from b to a in the parent's chart.
+constexpr ChildDirections splitDirection(const ChartedDirection& parent, Int2 d, int32_t t8, bool makes_faces) {
+  const OctahedralChart& chart = parent.chart;
+  const int32_t center = chart.center, size = 2 * center, h = directionEighths(d, t8, makes_faces, center);
+  const Int2 x{parent.point.x - eighths(d.x, h), parent.point.y - eighths(d.y, h)};
   const Int2 a = octahedralFold({x.x + d.x, x.y + d.y}, center), b = octahedralFold(x, center);
   const Int2 points[2] = {a, b};
   for (const Int2 q : points)
