@@ -298,7 +298,9 @@ void Collapser::refit(std::vector<Collapse>& collapses) {
   std::vector<uint32_t> moved;
   refit_->run(nodes_, surface_, [&](uint32_t slot, const PosedPoint* from) {
     metric_->moved(slot, from);
-    collapses[node_of_[slot] - vertex_count_].position = nodes_.positions[slot];
+    Collapse& made = collapses[node_of_[slot] - vertex_count_];
+    made.position = nodes_.positions[slot];
+    made.skin = nodes_.skins[slot];
     moved.push_back(slot);
   });
   for (uint32_t slot : moved) surface_.classifyAround(slot, nodes_.posed);

@@ -3,11 +3,10 @@
 #include "edge_placer.h"
 
 #include <algorithm>
-#include <array>
 
-#include "lithe/bake/simplex.h"
 #include "lithe/bake/skin_weights.h"
 #include "normal_equations.h"
+#include "weight_step.h"
 
 namespace lithe::bake {
 
@@ -15,22 +14,6 @@ namespace {
 
 constexpr double kStay = 1e-4;  // of the trace: holds the parent where the quadric says nothing
 constexpr uint32_t kMaxAlternations = 4;
-
-struct JointUnion {
-  uint32_t size = 0;
-  std::array<uint16_t, kMaxSimplexSize> joint{};
-};
-
-/// The joints of both skins, a's first.
-JointUnion unionOf(const QuantizedSkin& a, const QuantizedSkin& b) {
-  JointUnion joints{a.count, {}};
-  std::copy_n(a.joint.begin(), a.count, joints.joint.begin());
-  for (uint32_t k = 0; k < b.count; ++k) {
-    const auto end = joints.joint.begin() + joints.size;
-    if (std::find(joints.joint.begin(), end, b.joint[k]) == end) joints.joint[joints.size++] = b.joint[k];
-  }
-  return joints;
-}
 
 /// Without branches or calls: most pairs are asked once.
 bool sameSkin(const QuantizedSkin& a, const QuantizedSkin& b) {
@@ -122,38 +105,16 @@ bool EdgePlacer::step(uint32_t a, uint32_t b, const Segment& segment, bool one_s
   return true;
 }
 
-QuantizedSkin EdgePlacer::weightStep(uint32_t a, const QuantizedSkin& start, const QuantizedSkin& skin_a,
-                                     const QuantizedSkin& skin_b, const glm::ivec3& position) {
-  const uint32_t blocks = nodes_.posed.blocks;
-  const JointUnion joints = unionOf(skin_a, skin_b);
-  const uint32_t size = joints.size;
-  SimplexWeights weights{};
-  for (uint32_t i = 0; i < size; ++i) {
-    const Affine* matrices = nodes_.posed.palette.data() + size_t{joints.joint[i]} * blocks;
-    transformPoint(matrices, blocks, glm::vec3(position), candidates_.data() + size_t{i} * blocks);
-    for (uint32_t k = 0; k < start.count; ++k) {
-      if (start.joint[k] == joints.joint[i]) weights[i] = start.weight[k] / double(nodes_.weight_one);
-    }
-  }
-  std::array<double, 256> matrix;
-  WeightObjective objective;
-  objective.size = size;
-  weightTerms(quadric.data(), nodes_.posed.at(a), candidates_.data(), size, blocks, matrix.data(), objective.h.data());
-  for (uint32_t i = 0; i < size; ++i) {
-    for (uint32_t k = 0; k < size; ++k) objective.H[i][k] = matrix[i * size + k];
-  }
-  weights = minimizeOnSimplexCapped(objective, weights, naturalProximity(objective), nodes_.max_influences);
-  return quantizeSkin({joints.joint.data(), size}, {weights.data(), size}, nodes_.weight_one);
-}
-
 void EdgePlacer::optimizeSkin(uint32_t a, uint32_t b, double gain, Placement& placement, QuantizedSkin& skin) {
   const Segment segment(nodes_.positions[a], nodes_.positions[b], nodes_.placement_shift, nodes_.grid_bits);
+  const JointSet joints = unionOf(nodes_.skins[a], nodes_.skins[b]);
   Placement best = placement;
   QuantizedSkin best_skin = skin;
   best_posed_ = posed;
   at_ = posed;
   for (uint32_t i = 0; i < kMaxAlternations; ++i) {
-    const QuantizedSkin next_skin = weightStep(a, best_skin, nodes_.skins[a], nodes_.skins[b], best.position);
+    const QuantizedSkin next_skin =
+        weightStep(nodes_, quadric.data(), nodes_.posed.at(a), joints, best_skin, best.position, candidates_);
     const Affine* blend = blendSkin(nodes_.posed, next_skin, blend_.data());
     Placement next = best;
     next.cost = energyIn(glm::dvec3(best.position), blend, a, at_);

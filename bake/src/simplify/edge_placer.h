@@ -19,8 +19,7 @@ class EdgePlacer {
         quadric(nodes.posed.blocks),
         posed(nodes.posed.blocks),
         blend_(nodes.posed.blocks),
-        trial_(nodes.posed.blocks),
-        candidates_(size_t{16} * nodes.posed.blocks) {}
+        trial_(nodes.posed.blocks) {}
 
  private:
   const NodeState& nodes_;
@@ -58,8 +57,6 @@ class EdgePlacer {
   Placement bestStart(uint32_t a, uint32_t b, const Segment& segment, bool one_skin);
   bool step(uint32_t a, uint32_t b, const Segment& segment, bool one_skin, Placement& best);
   const Affine* blendBetween(uint32_t a, uint32_t b, int32_t t8, bool one_skin);
-  QuantizedSkin weightStep(uint32_t a, const QuantizedSkin& start, const QuantizedSkin& skin_a,
-                           const QuantizedSkin& skin_b, const glm::ivec3& position);
 
   std::vector<Affine> blend_;
   const Affine* last_blend_ = nullptr;  // of the placement at hand

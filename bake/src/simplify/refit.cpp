@@ -10,6 +10,7 @@
 #include "kernels.h"
 #include "normal_equations.h"
 #include "parallel.h"
+#include "weight_step.h"
 
 namespace lithe::bake {
 
@@ -88,7 +89,11 @@ LITHE_KERNEL void addMatch(const Residual& r, float share, uint32_t blocks, Quad
 }  // namespace
 
 Refit::Refit(const NodeState& nodes, const Surface& surface, const SimplifyOptions& options)
-    : weights_(options), threads_(options.threads), blocks_(nodes.posed.blocks), position_(nodes.posed.positions) {
+    : weights_(options),
+      weight_gain_(options.weight_gain),
+      threads_(options.threads),
+      blocks_(nodes.posed.blocks),
+      position_(nodes.posed.positions) {
   const auto count = static_cast<uint32_t>(nodes.positions.size());
   into_.resize(count);
   for (uint32_t slot = 0; slot < count; ++slot) into_[slot] = slot;
@@ -98,7 +103,9 @@ Refit::Refit(const NodeState& nodes, const Surface& surface, const SimplifyOptio
   root_.resize(count);
   lengths_.resize(surface.faceCount());
   face_concerns_.resize(surface.faceCount());
+  matched_.resize(blocks_);
   trial_.resize(blocks_);
+  reweighted_.resize(blocks_);
   blend_.resize(blocks_);
   const float poses = static_cast<float>(nodes.posed.pose_count);
   for (uint32_t id = 0; id < surface.faceCount(); ++id) {
@@ -309,15 +316,20 @@ bool Refit::mayMove(uint32_t slot, const PosedPoint* to, const NodeState& nodes,
   return edges > 0 && squaredDistances(from, to, blocks_) <= kReach * reach / static_cast<float>(edges);
 }
 
-bool Refit::step(uint32_t slot, NodeState& nodes, const Surface& surface) {
+// The place on the lattice nearest to where the quadric is least for this blend, or `factor` of the way there.
+glm::ivec3 Refit::bestPlace(uint32_t slot, const Affine* blend, const PosedPoint* from, double factor,
+                            const NodeState& nodes) const {
   const Made& made = made_[slot];
   const Segment segment(made.v, made.v + made.d, nodes.placement_shift, nodes.grid_bits);
-  const PosedPoint* from = nodes.posed.at(slot);
+  const NormalEquations n = normalEquations(quadricAt(slot), blend, matched_.data(), from, blocks_);
+  return segment.snap(glm::dvec3(nodes.positions[slot]) + factor * solveNormalEquations(n, kStay), made.t8);
+}
+
+bool Refit::stepPosition(uint32_t slot, NodeState& nodes, const Surface& surface) {
   const Affine* blend = blendSkin(nodes.posed, nodes.skins[slot], blend_.data());
-  const NormalEquations n = normalEquations(quadricAt(slot), blend, from, from, blocks_);
-  glm::dvec3 move = solveNormalEquations(n, kStay);
-  for (uint32_t trial = 0; trial < kTrials; ++trial, move *= 0.5) {
-    const glm::ivec3 place = segment.snap(glm::dvec3(nodes.positions[slot]) + move, made.t8);
+  double factor = 1.0;
+  for (uint32_t trial = 0; trial < kTrials; ++trial, factor *= 0.5) {
+    const glm::ivec3 place = bestPlace(slot, blend, nodes.posed.at(slot), factor, nodes);
     if (place == nodes.positions[slot]) return false;
     transformPoint(blend, blocks_, glm::vec3(place), trial_.data());
     if (!mayMove(slot, trial_.data(), nodes, surface)) continue;
@@ -326,6 +338,41 @@ bool Refit::step(uint32_t slot, NodeState& nodes, const Surface& surface) {
     return true;
   }
   return false;
+}
+
+// The weights that are best where the node is, and the place that is best with these weights.
+bool Refit::stepWeights(uint32_t slot, NodeState& nodes, const Surface& surface) {
+  const QuantizedSkin& skin = nodes.skins[slot];
+  if (skin.count < 2) return false;
+  const QuantizedSkin reweighted =
+      weightStep(nodes, quadricAt(slot), matched_.data(), jointsOf(skin), skin, nodes.positions[slot], candidates_);
+  if (reweighted == skin) return false;
+
+  const Affine* blend = blendSkin(nodes.posed, reweighted, blend_.data());
+  const auto energyAt = [&](const glm::ivec3& place, std::vector<PosedPoint>& result) {
+    return energyOfPlace(quadricAt(slot), matched_.data(), blend, glm::vec3(place), blocks_, result.data());
+  };
+  glm::ivec3 place = nodes.positions[slot];
+  double cost = energyAt(place, reweighted_);
+  const glm::ivec3 moved = bestPlace(slot, blend, reweighted_.data(), 1.0, nodes);
+  const double cost_moved = energyAt(moved, trial_);
+  if (cost_moved < cost) {
+    place = moved;
+    cost = cost_moved;
+    reweighted_.swap(trial_);
+  }
+  const double before = energy(quadricAt(slot), matched_.data(), nodes.posed.at(slot), blocks_);
+  if (!(cost < before * (1.0 - weight_gain_)) || !mayMove(slot, reweighted_.data(), nodes, surface)) return false;
+  nodes.positions[slot] = place;
+  nodes.skins[slot] = reweighted;
+  std::copy(reweighted_.begin(), reweighted_.end(), nodes.posed.at(slot));
+  return true;
+}
+
+bool Refit::step(uint32_t slot, NodeState& nodes, const Surface& surface) {
+  std::copy_n(nodes.posed.at(slot), blocks_, matched_.begin());
+  const bool moved = stepPosition(slot, nodes, surface);
+  return stepWeights(slot, nodes, surface) || moved;
 }
 
 // A slot that stayed where it is will stay again until its matches or its faces change.
@@ -340,18 +387,23 @@ bool Refit::stepAll(NodeState& nodes, const Surface& surface) {
   return any;
 }
 
-std::vector<glm::ivec3> Refit::places(const NodeState& nodes) const {
-  std::vector<glm::ivec3> places;
-  for (uint32_t slot : new_slots_) places.push_back(nodes.positions[slot]);
+std::vector<Refit::Place> Refit::places(const NodeState& nodes) const {
+  std::vector<Place> places;
+  for (uint32_t slot : new_slots_) places.push_back({nodes.positions[slot], nodes.skins[slot]});
   return places;
 }
 
-void Refit::putBack(const std::vector<glm::ivec3>& places, NodeState& nodes) {
+const PosedPoint* Refit::pose(const Place& place, const NodeState& nodes) {
+  transformPoint(blendSkin(nodes.posed, place.skin, blend_.data()), blocks_, glm::vec3(place.position), trial_.data());
+  return trial_.data();
+}
+
+void Refit::putBack(const std::vector<Place>& places, NodeState& nodes) {
   for (size_t i = 0; i < places.size(); ++i) {
     const uint32_t slot = new_slots_[i];
-    nodes.positions[slot] = places[i];
-    transformPoint(blendSkin(nodes.posed, nodes.skins[slot], blend_.data()), blocks_, glm::vec3(places[i]),
-                   nodes.posed.at(slot));
+    nodes.positions[slot] = places[i].position;
+    nodes.skins[slot] = places[i].skin;
+    std::copy_n(pose(places[i], nodes), blocks_, nodes.posed.at(slot));
   }
 }
 
@@ -360,7 +412,7 @@ void Refit::run(NodeState& nodes, const Surface& surface,
   std::erase_if(new_slots_, [&](uint32_t slot) { return !is_new_[slot]; });
   for (uint32_t i = 0; i < new_slots_.size(); ++i) new_index_[new_slots_[i]] = i;
   quadric_.resize(new_slots_.size() * blocks_);
-  const std::vector<glm::ivec3> first = places(nodes);
+  const std::vector<Place> first = places(nodes);
 
   chooseSamples(surface);
   findRoots();
@@ -370,7 +422,7 @@ void Refit::run(NodeState& nodes, const Surface& surface,
   for (uint32_t slot : new_slots_) noteChange(slot, surface);
   double energy = match(nodes, surface);
   for (uint32_t pass = 0; pass < kPasses; ++pass) {
-    const std::vector<glm::ivec3> before = places(nodes);
+    const std::vector<Place> before = places(nodes);
     if (!stepAll(nodes, surface)) break;
     const double next = match(nodes, surface);
     if (!(next < energy)) {
@@ -383,10 +435,7 @@ void Refit::run(NodeState& nodes, const Surface& surface,
   for (size_t i = 0; i < first.size(); ++i) {
     const uint32_t slot = new_slots_[i];
     is_new_[slot] = 0;
-    if (nodes.positions[slot] == first[i]) continue;
-    transformPoint(blendSkin(nodes.posed, nodes.skins[slot], blend_.data()), blocks_, glm::vec3(first[i]),
-                   trial_.data());
-    moved(slot, trial_.data());
+    if (Place{nodes.positions[slot], nodes.skins[slot]} != first[i]) moved(slot, pose(first[i], nodes));
   }
   new_slots_.clear();
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-// Moves the nodes of a level to where its posed surface lies closest to the original's.
+// Moves the nodes of a level, and gives them new weights, so that its posed surface lies closest to the original's.
 //
 // A collapse sees the surface it replaces, which has errors of its own: they add up. A refit looks at the original
 // again: samples of its faces are matched with the nearest points of the faces around the nodes that their corners
@@ -28,8 +28,9 @@ class Refit {
   /// Slot b has become part of slot a, whose place is `t8` eighths along `segment`, or a lattice point near it.
   void merged(uint32_t a, uint32_t b, const Segment& segment, int32_t t8);
 
-  /// Moves the nodes that have been made since the last call. Their new posed positions are in nodes.posed;
-  /// moved(slot, posed before) is called once for each that moved.
+  /// Moves the nodes that have been made since the last call; their weights change only where that lowers what their
+  /// matches cost by more than the share SimplifyOptions::weight_gain, and no joint is added. What they are afterwards
+  /// is in `nodes`; moved(slot, posed before) is called once for each that has another position or skin.
   void run(NodeState& nodes, const Surface& surface, const std::function<void(uint32_t, const PosedPoint*)>& moved);
 
  private:
@@ -47,6 +48,12 @@ class Refit {
   struct Made {
     glm::ivec3 v{0}, d{0};
     int32_t t8 = 4;
+  };
+  struct Place {
+    glm::ivec3 position;
+    QuantizedSkin skin;
+
+    bool operator==(const Place&) const = default;
   };
 
   // Samples
@@ -68,15 +75,22 @@ class Refit {
   void noteFaces(const Surface& surface);
   void accumulateAt(uint32_t first_slot, uint32_t end_slot, const NodeState& nodes, const Surface& surface);
   Quadric* quadricAt(uint32_t new_slot) { return quadric_.data() + size_t{new_index_[new_slot]} * blocks_; }
+  const Quadric* quadricAt(uint32_t new_slot) const { return quadric_.data() + size_t{new_index_[new_slot]} * blocks_; }
 
   // Moving
   bool stepAll(NodeState& nodes, const Surface& surface);
   bool step(uint32_t slot, NodeState& nodes, const Surface& surface);
+  bool stepPosition(uint32_t slot, NodeState& nodes, const Surface& surface);
+  bool stepWeights(uint32_t slot, NodeState& nodes, const Surface& surface);
+  glm::ivec3 bestPlace(uint32_t slot, const Affine* blend, const PosedPoint* from, double factor,
+                       const NodeState& nodes) const;
   bool mayMove(uint32_t slot, const PosedPoint* to, const NodeState& nodes, const Surface& surface) const;
-  std::vector<glm::ivec3> places(const NodeState& nodes) const;
-  void putBack(const std::vector<glm::ivec3>& places, NodeState& nodes);
+  std::vector<Place> places(const NodeState& nodes) const;
+  const PosedPoint* pose(const Place& place, const NodeState& nodes);
+  void putBack(const std::vector<Place>& places, NodeState& nodes);
 
   const EdgeWeights weights_;
+  const double weight_gain_;
   const uint32_t threads_;
   uint32_t blocks_;
   LargeVector<PosedPoint> position_;  // of the original's vertices
@@ -98,7 +112,8 @@ class Refit {
   std::vector<uint8_t> face_concerns_;    // per face: the matches of one of its corners have changed
   std::vector<Quadric> quadric_;          // of the new slots, by new_index_
   std::vector<uint32_t> new_index_;       // per slot
-  std::vector<PosedPoint> trial_;
+  std::vector<PosedPoint> matched_;       // of the slot at hand: where its quadric was filled
+  std::vector<PosedPoint> trial_, reweighted_, candidates_;
   std::vector<Affine> blend_;
 };
 

@@ -44,14 +44,14 @@ struct SimplifyOptions {
   double vanish_factor_coarse = 100.0;
   double vanish_coarse = 0.03;
   /// An optimised skin replaces the interpolated one (which costs nothing in the file) only where it lowers the cost by
-  /// more than this share.
+  /// more than this share; in a refit too.
   double weight_gain = 0.3;
 
   /// Triangle counts of the levels, in any order; the end of the sequence is one beside them. Where a level ends, nodes
   /// without triangles are absorbed by others, and the nodes made since the last level are refit.
   std::vector<uint32_t> levels;
-  /// Refit: move nodes to where the posed surface lies closest to the original's. Only the metric `articulated` does
-  /// so.
+  /// Refit: move nodes, and weigh their joints anew, so that the posed surface lies closest to the original's. Only the
+  /// metric `articulated` does so.
   bool refit = true;
 
   std::function<void(double)> progress;  ///< called now and then with 0..1, from the calling thread; may be empty
