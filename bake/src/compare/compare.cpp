@@ -74,7 +74,8 @@ FrameReport measureFrame(const Comparison& c, const Instant& instant, uint64_t n
   const SearchableSurface original(c.original, posedOriginal(c, instant));
   const SearchableSurface simplified(c.simplified, posedSimplified(c, instant));
   const uint64_t seed = (c.seed << 32) + 2 * number;
-  const Sampling forth{c.samples, seed, c.has_uv, c.beyond}, back{c.samples, seed + 1, c.has_uv, c.beyond};
+  const Sampling forth{c.samples, seed, c.has_uv, c.beyond, true};
+  const Sampling back{c.samples, seed + 1, c.has_uv, c.beyond, false};
   const double unit = 1.0 / c.rest_diagonal;
   FrameReport frame;
   frame.clip = instant.clip;

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 std::string frameLine(const std::string& name, const SurfaceError& e, double silhouette, bool has_uv) {
   std::string line = formatted("%-24.24s %10.3e %10.3e %10.3e %10.3e %8.2f %8.3f %10.3f", name.c_str(), e.rms, e.mean,
                                e.p999, e.max, e.normal_degrees, 100.0 * e.flipped, 100.0 * silhouette);
-  if (has_uv) line += formatted(" %10.3e %10.3e", e.uv_rms, e.uv_median);
+  if (has_uv) line += formatted(" %10.3e %10.3e %10.4f", e.uv_rms, e.uv_median, e.uv_stretch);
   return line + "\n";
 }
 
@@ -44,6 +44,7 @@ Json lengthsAndShares(const SurfaceError& e, Measured measured) {
   if (measured.uv) {
     json["uv_rms"] = e.uv_rms;
     json["uv_median"] = e.uv_median;
+    json["uv_stretch"] = e.uv_stretch;
   }
   if (measured.beyond) json["beyond"] = e.beyond;
   return json;
@@ -72,8 +73,9 @@ std::string compareText(const CompareReport& r) {
                     r.frames.size(), r.samples, r.rest_diagonal);
   text += formatted("%-24s %10s %10s %10s %10s %8s %8s %10s", "frame", "rms", "mean", "99.9 %", "max", "normal",
                     "flipped", "silhouette");
-  text += r.has_uv ? formatted(" %10s %10s\n", "uv rms", "uv median") : "\n";
-  text += formatted("%-24s %10s %10s %10s %10s %8s %8s %10s\n", "", "", "", "", "", "degrees", "% area", "% area");
+  text += r.has_uv ? formatted(" %10s %10s %10s\n", "uv rms", "uv median", "uv stretch") : "\n";
+  text += formatted("%-24s %10s %10s %10s %10s %8s %8s %10s", "", "", "", "", "", "degrees", "% area", "% area");
+  text += r.has_uv ? formatted(" %10s %10s %10s\n", "", "", "mean ln") : "\n";
   for (size_t i = 0; i < r.frames.size(); ++i)
     text += frameLine(nameOf(r.frames[i], i), r.frames[i].symmetric, r.frames[i].silhouette, r.has_uv);
   text += frameLine("mean of frames", r.mean, r.mean_silhouette, r.has_uv);

@@ -21,8 +21,9 @@ struct SearchableSurface {
 struct Sampling {
   uint32_t samples = 0;
   uint64_t seed = 0;
-  bool with_uv = false;  ///< both surfaces have uvs and they are to be compared
-  double beyond = 0.0;   ///< in the units of the positions
+  bool with_uv = false;       ///< both surfaces have uvs and they are to be compared
+  double beyond = 0.0;        ///< in the units of the positions
+  bool from_original = true;  ///< the samples are the original's; else the simplified surface's
 };
 
 /// Lengths in the units of the positions.

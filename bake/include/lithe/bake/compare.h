@@ -52,6 +52,14 @@ struct SurfaceError {
   double flipped = 0.0;         ///< share of the area whose face normal is more than 90 degrees from the matched face's
   double uv_rms = 0.0;          ///< of |uv - uv'|, uv set 0; zero unless both models have it
   double uv_median = 0.0;
+  /// How much a texture is stretched or squeezed beyond what it is on the original, in the direction that is worst off:
+  /// the mean of ln max(Gamma, 1 / gamma), Gamma >= gamma the singular values of the map from the original's posed
+  /// triangle to the simplified model's through the texture, uv set 0. After Sander, Snyder, Gortler and Hoppe,
+  /// "Texture mapping progressive meshes" (2001). 0 for none, near it the relative stretch (0.1 is ten percent), at
+  /// most ln 16: that much also counts where the texture is mirrored, or where the simplified model's triangle has no
+  /// area on the surface or on the texture. A sample where the original's has none, or that of an equally near point,
+  /// says nothing and is in no mean. Zero where none says anything.
+  double uv_stretch = 0.0;
   double beyond = 0.0;  ///< share of the samples that are farther than CompareOptions::beyond; zero without it
 };
 

@@ -15,6 +15,7 @@
 namespace lithe::bake {
 namespace {
 
+using glm::dmat2;
 using glm::dvec2;
 using glm::dvec3;
 
@@ -78,13 +79,37 @@ dvec3 nearestWeights(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3
 struct PointError {
   double area = 0.0, distance = 0.0;
   double angle = std::numeric_limits<double>::infinity(), uv = std::numeric_limits<double>::infinity();
+  double stretch = std::numeric_limits<double>::infinity();  ///< its logarithm
   bool flipped = true;
 };
 
 struct Point {
   dvec3 position, normal, face;
   dvec2 uv;
+  dmat2 from_uv;  ///< of its triangle
 };
+
+/// The map from uvs to the triangle's plane, in a frame of that plane seen from the front.
+dmat2 mapFromUv(const Posed& posed, const std::array<uint32_t, 3>& t) {
+  const dvec3 ab = posed.positions[t[1]] - posed.positions[t[0]], ac = posed.positions[t[2]] - posed.positions[t[0]];
+  const dvec3 x = glm::normalize(ab), y = glm::cross(glm::normalize(areaVector(posed, t)), x);
+  const auto& uvs = posed.model.uvs[0];
+  const dvec2 a(uvs[t[0]]), b(uvs[t[1]]), c(uvs[t[2]]);
+  return dmat2(dvec2(glm::length(ab), 0.0), dvec2(glm::dot(ac, x), glm::dot(ac, y))) *
+         glm::inverse(dmat2(b - a, c - a));
+}
+
+/// ln of the larger of the larger singular value of one map after the other's inverse, and of 1 / the smaller. A 2 x 2
+/// matrix is a turning with scaling plus a mirroring with scaling: the singular values are the sum and the difference
+/// of the two scales, and it mirrors where the second is larger.
+double logStretch(const dmat2& from_uv, const dmat2& to_uv) {
+  const dmat2 m = to_uv * glm::inverse(from_uv);
+  const double turning = 0.5 * std::hypot(m[0][0] + m[1][1], m[0][1] - m[1][0]);
+  const double mirroring = 0.5 * std::hypot(m[0][0] - m[1][1], m[0][1] + m[1][0]);
+  const double most = std::log(16.0);
+  if (mirroring >= turning) return most;
+  return std::min(most, std::max(std::log(turning + mirroring), -std::log(turning - mirroring)));
+}
 
 PointError errorAt(const Point& point, const Posed& to, double slack) {
   std::vector<std::pair<double, dvec3>> nearest;
@@ -105,6 +130,7 @@ PointError errorAt(const Point& point, const Posed& to, double slack) {
     const auto& uvs = to.model.uvs[0];
     const dvec2 uv = dvec2(uvs[t[0]]) * weights.x + dvec2(uvs[t[1]]) * weights.y + dvec2(uvs[t[2]]) * weights.z;
     error.uv = std::min(error.uv, glm::distance(uv, point.uv));
+    error.stretch = std::min(error.stretch, logStretch(point.from_uv, mapFromUv(to, t)));
     error.flipped = error.flipped && glm::dot(point.face, areaVector(to, t)) < 0.0;
   }
   return error;
@@ -142,6 +168,7 @@ SurfaceError summarized(const std::vector<PointError>& points) {
     error.max = std::max(error.max, p.distance);
     angle2 += p.area * p.angle * p.angle;
     uv2 += p.area * p.uv * p.uv;
+    error.uv_stretch += p.area * p.stretch;
     error.flipped += p.flipped ? p.area : 0.0;
     distances.emplace_back(p.distance, p.area);
     uvs.emplace_back(p.uv, p.area);
@@ -153,6 +180,7 @@ SurfaceError summarized(const std::vector<PointError>& points) {
   error.flipped /= area;
   error.uv_rms = std::sqrt(uv2 / area);
   error.uv_median = quantile(uvs, 0.5);
+  error.uv_stretch /= area;
   return error;
 }
 
@@ -167,11 +195,13 @@ SurfaceError bruteForce(const Posed& from, const Posed& to, uint32_t cells) {
   double farthest = 0.0;
   for (const auto& t : from.model.triangles) {
     const dvec3 face = areaVector(from, t);
+    const dmat2 from_uv = mapFromUv(from, t);
     const auto at = [&](const dvec3& weights) {
       const auto& uvs = from.model.uvs[0];
       const dvec2 uv = dvec2(uvs[t[0]]) * weights.x + dvec2(uvs[t[1]]) * weights.y + dvec2(uvs[t[2]]) * weights.z;
-      return errorAt({mixed(from.positions, t, weights), glm::normalize(mixed(from.normals, t, weights)), face, uv}, to,
-                     slack);
+      return errorAt(
+          {mixed(from.positions, t, weights), glm::normalize(mixed(from.normals, t, weights)), face, uv, from_uv}, to,
+          slack);
     };
     forEachCell(cells, [&](const dvec3& weights) {
       points.push_back(at(weights));
@@ -238,9 +268,10 @@ void expectWithinAPercent(const SurfaceError& measured, const SurfaceError& expe
   SCOPED_TRACE(where);
   const auto near = [](double value, double reference) { EXPECT_NEAR(value, reference, 0.01 * reference); };
   const auto figures = [](const SurfaceError& e) {
-    return std::array{e.rms, e.mean, e.max, e.p999, e.normal_degrees, e.flipped, e.uv_rms, e.uv_median};
+    return std::array{e.rms, e.mean, e.max, e.p999, e.normal_degrees, e.flipped, e.uv_rms, e.uv_median, e.uv_stretch};
   };
-  const char* names[] = {"rms", "mean", "max", "p999", "normal_degrees", "flipped", "uv_rms", "uv_median"};
+  const char* names[] = {"rms",     "mean",   "max",       "p999",      "normal_degrees",
+                         "flipped", "uv_rms", "uv_median", "uv_stretch"};
   for (size_t i = 0; i < figures(expected).size(); ++i) {
     SCOPED_TRACE(names[i]);
     EXPECT_GT(figures(expected)[i], 0.0) << "says nothing";
