@@ -14,6 +14,7 @@ export const FIGURES = [
   { key: 'silhouette', title: 'Silhouette that differs, % of its area', digits: 3, factor: true, slack: 0.03 },
   { key: 'uv', title: 'uv deviation, RMS', digits: 4, slack: 1e-3, zero: FLOAT_ROUNDING },
   { key: 'uvMedian', title: 'uv deviation, median', digits: 5, slack: 1e-5, zero: FLOAT_ROUNDING },
+  { key: 'uvStretch', title: 'uv stretch, mean ln', digits: 4, slack: 5e-3, zero: FLOAT_ROUNDING },
   { key: 'seconds', title: 'Seconds (lithe: its bake, which serves every count, and the export; wasm for meshopt and gltfpack, files read and written)', digits: 2 },
 ];
 
@@ -22,6 +23,9 @@ export const litheOf = (row) => row.results[0];
 // Peers that came within 2 % of the count: no others count.
 export const peersOf = (row) => row.results.slice(1).filter((peer) => !peer.failed && !peer.off);
 export const bestOf = (peers, key) => peers.reduce((a, b) => (b[key] < a[key] ? b : a));
+
+// Whether all that was measured has a figure: rows of an older file may lack one.
+export const isMeasured = (rows, { key }) => rows.every((row) => row.results.every((result) => result.failed || result[key] !== undefined));
 
 // Whether a value is above the best peer's by more than noise.
 export function isBehind({ factor, slack }, value, best) {

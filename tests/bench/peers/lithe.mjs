@@ -54,6 +54,6 @@ export function measure(file, simplified, { anim, frames }) {
   return {
     skinned: original.triangles, triangles, rms: 1e3 * mean('rms'), hausdorff: 1e3 * Math.max(...values('max')),
     normals: mean('normal_degrees'), flipped: 100 * mean('flipped'), silhouette: 100 * mean('silhouette'),
-    uv: mean('uv_rms'), uvMedian: mean('uv_median'),
+    uv: mean('uv_rms'), uvMedian: mean('uv_median'), uvStretch: mean('uv_stretch'),
   };
 }

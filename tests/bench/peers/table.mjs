@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 // The figures as markdown: one table per figure, what they come to, and every place where a peer is better than lithe.
-import { FIGURES, bestOf, geometricMean, groupsOf, isBehind, litheOf, mean, peersOf, percent, table } from './figures.mjs';
+import { FIGURES, bestOf, geometricMean, groupsOf, isBehind, isMeasured, litheOf, mean, peersOf, percent, table } from './figures.mjs';
 
 function cell({ key, digits, factor }, result, lithe) {
   if (result.failed) return 'failed';
@@ -41,8 +41,8 @@ function behind(figure, row) {
   return isBehind(figure, lithe[figure.key], best[figure.key]) ? [best] : [];
 }
 
-function behindTable(rows) {
-  const body = FIGURES.filter((figure) => figure.slack).flatMap((figure) => rows.flatMap((row) => behind(figure, row).map((best) =>
+function behindTable(rows, figures) {
+  const body = figures.filter((figure) => figure.slack).flatMap((figure) => rows.flatMap((row) => behind(figure, row).map((best) =>
     [row.name, percent(row.ratio), figure.key, litheOf(row)[figure.key].toFixed(figure.digits), best[figure.key].toFixed(figure.digits), best.method, (best.rms / litheOf(row).rms).toFixed(2)])));
   if (!body.length) return 'No peer is better than lithe in any of these figures.\n';
   return `Where the best peer is better than lithe:\n\n${table(['character', 'triangles', 'figure', 'lithe', 'peer', 'which', 'its RMS / lithe'], body)}\n`;
@@ -50,6 +50,7 @@ function behindTable(rows) {
 
 export function tablesOf(rows) {
   const methods = litheOf(rows[0]) && rows[0].results.map((result) => result.method);
-  const tables = [...FIGURES.map((figure) => figureTable(rows, figure, methods)), summaryTable(rows, methods), behindTable(rows)];
+  const figures = FIGURES.filter((figure) => isMeasured(rows, figure));
+  const tables = [...figures.map((figure) => figureTable(rows, figure, methods)), summaryTable(rows, methods), behindTable(rows, figures)];
   return ['In square brackets: triangles, where more than 2 % off; such results are in no mean.\n', ...tables].join('\n');
 }

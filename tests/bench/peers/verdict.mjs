@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 // Whether lithe reaches its targets beside the best shipped tool.
-import { bestOf, figureOf, groupsOf, isBehind, litheOf, table } from './figures.mjs';
+import { bestOf, figureOf, groupsOf, isBehind, isMeasured, litheOf, table } from './figures.mjs';
 import { UNSHIPPED, caseName, characterTable, definedOf, meanOf, quotientOf, shippedOf, whyLeftOut, worstOf } from './quotients.mjs';
 
 const WORST = 1.3;
@@ -13,6 +13,7 @@ const TARGETS = [
   { key: 'silhouette', name: 'silhouette' },
   { key: 'uv', name: 'uv RMS', mean: 1 },
   { key: 'uvMedian', name: 'uv median', mean: 1 },
+  { key: 'uvStretch', name: 'uv stretch', mean: 1 },
 ];
 const FLIPPED = figureOf('flipped');
 
@@ -22,9 +23,9 @@ export function flippedBehind(rows) {
   return rows.filter((row) => isBehind(FLIPPED, litheOf(row).flipped, bestOf(shippedOf(row), 'flipped').flipped));
 }
 
-function meanTable(groups) {
+function meanTable(groups, targets) {
   const rows = groups.at(-1)[1], shown = (value) => (Number.isNaN(value) ? '-' : value.toFixed(3));
-  const body = TARGETS.map(({ key, name, mean }) => [name, ...groups.map(([, group]) => shown(meanOf(group, key))),
+  const body = targets.map(({ key, name, mean }) => [name, ...groups.map(([, group]) => shown(meanOf(group, key))),
     definedOf(rows, key).length, ...(mean ? [`<= ${mean}`, verdictOf(meanOf(rows, key), mean)] : ['-', '-'])]);
   const counts = groups.map(([, group]) => `${flippedBehind(group).length} of ${group.length}`);
   body.push(['flipped area: cases above', ...counts, rows.length, '0', verdictOf(flippedBehind(rows).length, 0)]);
@@ -53,9 +54,9 @@ function missesOf(rows) {
 }
 
 // What is in no figure, or not in all of them, and why.
-function leftOutOf(all, rows) {
+function leftOutOf(all, rows, targets) {
   const cases = all.filter(whyLeftOut).map((row) => `* ${caseName(row)}: ${whyLeftOut(row)}`);
-  const quotients = TARGETS.flatMap(({ key, name }) => rows.map((row) => quotientOf(row, key)).filter(({ why }) => why)
+  const quotients = targets.flatMap(({ key, name }) => rows.map((row) => quotientOf(row, key)).filter(({ why }) => why)
     .map(({ row, why }) => `* ${name} of ${caseName(row)}: ${why}`));
   return [...cases, ...quotients];
 }
@@ -63,14 +64,14 @@ function leftOutOf(all, rows) {
 const section = (title, lines) => `${title}\n${lines.length ? lines.join('\n') : '* none'}\n`;
 
 export function verdictOn(all) {
-  const rows = all.filter((row) => !whyLeftOut(row)), groups = groupsOf(rows);
-  if (!rows.length) return section('There is nothing to judge:', leftOutOf(all, rows));
+  const rows = all.filter((row) => !whyLeftOut(row)), groups = groupsOf(rows), targets = TARGETS.filter((target) => isMeasured(all, target));
+  if (!rows.length) return section('There is nothing to judge:', leftOutOf(all, rows, targets));
   return [
     `lithe beside the best *shipped* tool per figure and per case (every method but ${UNSHIPPED.join(' and ')}, which nobody ships), within 2 % of the count.`,
-    'Geometric means of lithe / best; below 1 lithe is better:\n', meanTable(groups),
+    'Geometric means of lithe / best; below 1 lithe is better:\n', meanTable(groups, targets),
     '\nThe worst case of each, and over all beside which tool:\n', worstTable(groups),
     section('\nCases that miss a target:\n', missesOf(rows)),
-    section('Left out:\n', leftOutOf(all, rows)),
-    ...TARGETS.map(({ key, name }) => characterTable(all, key, `lithe / best shipped by character, ${name}`)),
+    section('Left out:\n', leftOutOf(all, rows, targets)),
+    ...targets.map(({ key, name }) => characterTable(all, key, `lithe / best shipped by character, ${name}`)),
   ].join('\n');
 }

@@ -4,9 +4,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { quotientOf } from './quotients.mjs';
+import { tablesOf } from './table.mjs';
 import { flippedBehind, verdictOn } from './verdict.mjs';
 
-const figures = (method, value, more) => ({ method, triangles: 100, rms: value, hausdorff: value, normals: value, flipped: value, silhouette: value, uv: value, uvMedian: value, seconds: 1, off: false, ...more });
+const figures = (method, value, more) => ({ method, triangles: 100, rms: value, hausdorff: value, normals: value, flipped: value, silhouette: value, uv: value, uvMedian: value, uvStretch: value, seconds: 1, off: false, ...more });
 const row = (name, ratio, ...results) => ({ name, ratio, results });
 const lineOf = (text, start) => text.split('\n').filter((line) => line.startsWith(start));
 
@@ -64,6 +65,19 @@ test('a figure that a character does not have is named and in no mean', () => {
   const without = row('a', 0.5, figures('lithe', 1, { uv: null }), figures('meshopt', 2, { uv: null })), text = verdictOn([without, row('b', 0.5, figures('lithe', 1), figures('meshopt', 4))]);
   assert.match(text, /\* uv RMS of a 50 %: the character has none/);
   assert.match(lineOf(text, '| uv RMS')[0], /\| 0\.250 \| 0\.250 \| 1 \|/);
+});
+
+test('uv stretch is judged, and two textures that are nowhere stretched are equal', () => {
+  const rows = [row('a', 0.5, figures('lithe', 1), figures('meshopt', 4)), row('b', 0.5, figures('lithe', 1, { uvStretch: 1e-9 }), figures('meshopt', 4, { uvStretch: 0 }))];
+  assert.deepEqual(lineOf(verdictOn(rows), '| uv stretch'), ['| uv stretch | 0.500 | 0.500 | 2 | <= 1 | holds |']);
+  assert.match(lineOf(verdictOn([row('a', 0.5, figures('lithe', 3), figures('meshopt', 2))]), '| uv stretch')[0], /\*\*missed\*\*/);
+});
+
+test('a figure that a file of older rows lacks is in no table', () => {
+  const older = [row('a', 0.5, figures('lithe', 1, { uvStretch: undefined }), figures('meshopt', 4, { uvStretch: undefined }), { method: 'gltfpack', failed: 'why' })];
+  for (const text of [verdictOn(older), tablesOf(older)]) assert.doesNotMatch(text, /uv stretch/);
+  assert.match(verdictOn(older), /\| uv median \| 0\.250/);
+  assert.match(tablesOf([row('a', 0.5, figures('lithe', 1), figures('meshopt', 4))]), /uv stretch, mean ln/);
 });
 
 test('the worst case is named and held to its limit', () => {
