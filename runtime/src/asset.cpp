@@ -153,7 +153,7 @@ lithe_result lithe_asset_open(const lithe_allocator* allocator, const void* byte
 void lithe_asset_close(lithe_asset* asset) {
   if (!asset) return;
   const lithe_allocator allocator = asset->allocator;
-  freeDecoded(allocator, strideOf(*asset), &asset->decoded);
+  freeDecoded(allocator, widthsOf(*asset), &asset->decoded);
   freeBlock(allocator, asset->head_bytes, asset->head.size);
   freeBlock(allocator, asset, asset->block_bytes);
 }

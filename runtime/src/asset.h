@@ -56,6 +56,7 @@ inline const char* nameAt(const lithe_asset& asset, uint32_t offset) {
 }
 
 inline uint32_t strideOf(const lithe_asset& asset) { return asset.format.layout.stride; }
+inline RecordWidths widthsOf(const lithe_asset& asset) { return {strideOf(asset), asset.format.max_influences}; }
 
 /// What the arrays hold when a level is resident.
 inline Counts countsOf(const lithe_asset& asset, uint32_t level) {

@@ -7,12 +7,14 @@
 namespace lithe::runtime {
 namespace {
 
-constexpr uint64_t kNodeBytes = 3 * sizeof(int32_t) + 4 * sizeof(uint32_t) + sizeof(NodeSkin);
 constexpr uint64_t kFaceBytes = 6 * sizeof(uint32_t);
 
-uint64_t nodeBlock(uint64_t count) { return count ? count * kNodeBytes + sizeof(uint32_t) : 0; }
-uint64_t wedgeBlock(uint64_t count, uint32_t stride) {
-  return count * (2 * sizeof(uint32_t) + (1 + uint64_t{stride}) * sizeof(uint16_t));
+uint64_t nodeBlock(uint64_t count, const RecordWidths& widths) {
+  const uint64_t bytes = 4 * sizeof(uint32_t) + (3 + 2 * uint64_t{widths.influences}) * sizeof(uint16_t);
+  return count ? count * bytes + sizeof(uint32_t) : 0;
+}
+uint64_t wedgeBlock(uint64_t count, const RecordWidths& widths) {
+  return count * (2 * sizeof(uint32_t) + (1 + uint64_t{widths.attributes}) * sizeof(uint16_t));
 }
 uint64_t faceBlock(uint64_t count) { return count * kFaceBytes; }
 uint64_t hiddenBlock(uint64_t count) { return count * sizeof(uint32_t); }
@@ -47,29 +49,29 @@ bool replaceBlock(const lithe_allocator& allocator, void* old_block, uint64_t ol
 
 // The arrays of wider elements come first in every block, so each is aligned.
 
-bool resizeNodes(const lithe_allocator& allocator, uint32_t capacity, Decoded* d) {
-  const bool done =
-      replaceBlock(allocator, d->node_position, nodeBlock(d->node_capacity), nodeBlock(capacity), [&](Move move) {
-        const size_t count = d->node_count, firsts = count ? count + 1 : 0;
-        move.array(&d->node_position, 3 * size_t{capacity}, 3 * count);
+bool resizeNodes(const lithe_allocator& allocator, uint32_t capacity, const RecordWidths& widths, Decoded* d) {
+  const bool done = replaceBlock(
+      allocator, d->node_parent, nodeBlock(d->node_capacity, widths), nodeBlock(capacity, widths), [&](Move move) {
+        const size_t count = d->node_count, firsts = count ? count + 1 : 0, skin = size_t{2} * widths.influences;
         move.array(&d->node_parent, capacity, count);
         move.array(&d->node_first_child, capacity, count);
         move.array(&d->node_first_wedge, size_t{capacity} + 1, firsts);
         move.array(&d->node_first_corner, capacity, count);
-        move.array(&d->node_skin, capacity, count);
+        move.array(&d->node_position, 3 * size_t{capacity}, 3 * count);
+        move.array(&d->node_skin, skin * capacity, skin * count);
       });
   if (done) d->node_capacity = capacity;
   return done;
 }
 
-bool resizeWedges(const lithe_allocator& allocator, uint32_t capacity, uint32_t stride, Decoded* d) {
-  const bool done = replaceBlock(allocator, d->wedge_node, wedgeBlock(d->wedge_capacity, stride),
-                                 wedgeBlock(capacity, stride), [&](Move move) {
-                                   const size_t count = d->wedge_count;
+bool resizeWedges(const lithe_allocator& allocator, uint32_t capacity, const RecordWidths& widths, Decoded* d) {
+  const bool done = replaceBlock(allocator, d->wedge_node, wedgeBlock(d->wedge_capacity, widths),
+                                 wedgeBlock(capacity, widths), [&](Move move) {
+                                   const size_t count = d->wedge_count, stride = widths.attributes;
                                    move.array(&d->wedge_node, capacity, count);
                                    move.array(&d->wedge_parent, capacity, count);
                                    move.array(&d->wedge_part, capacity, count);
-                                   move.array(&d->wedge_attributes, size_t{capacity} * stride, count * stride);
+                                   move.array(&d->wedge_attributes, stride * capacity, stride * count);
                                  });
   if (done) d->wedge_capacity = capacity;
   return done;
@@ -94,37 +96,37 @@ bool resizeHidden(const lithe_allocator& allocator, uint32_t capacity, Decoded* 
 
 }  // namespace
 
-uint64_t decodedBytes(const Counts& counts, uint32_t stride) {
-  return nodeBlock(counts.nodes) + wedgeBlock(counts.wedges, stride) + faceBlock(counts.faces) +
+uint64_t decodedBytes(const Counts& counts, const RecordWidths& widths) {
+  return nodeBlock(counts.nodes, widths) + wedgeBlock(counts.wedges, widths) + faceBlock(counts.faces) +
          hiddenBlock(counts.hidden);
 }
 
-uint64_t largestBlock(const Counts& counts, uint32_t stride) {
-  const uint64_t blocks[] = {nodeBlock(counts.nodes), wedgeBlock(counts.wedges, stride), faceBlock(counts.faces),
-                             hiddenBlock(counts.hidden)};
+uint64_t largestBlock(const Counts& counts, const RecordWidths& widths) {
+  const uint64_t blocks[] = {nodeBlock(counts.nodes, widths), wedgeBlock(counts.wedges, widths),
+                             faceBlock(counts.faces), hiddenBlock(counts.hidden)};
   uint64_t largest = 0;
   for (const uint64_t block : blocks)
     if (block > largest) largest = block;
   return largest;
 }
 
-bool reserveDecoded(const lithe_allocator& allocator, const Counts& counts, uint32_t stride, Decoded* d) {
-  return (counts.nodes <= d->node_capacity || resizeNodes(allocator, counts.nodes, d)) &&
-         (counts.wedges <= d->wedge_capacity || resizeWedges(allocator, counts.wedges, stride, d)) &&
+bool reserveDecoded(const lithe_allocator& allocator, const Counts& counts, const RecordWidths& widths, Decoded* d) {
+  return (counts.nodes <= d->node_capacity || resizeNodes(allocator, counts.nodes, widths, d)) &&
+         (counts.wedges <= d->wedge_capacity || resizeWedges(allocator, counts.wedges, widths, d)) &&
          (counts.faces <= d->face_capacity || resizeFaces(allocator, counts.faces, d)) &&
          (counts.hidden <= d->hidden_capacity || resizeHidden(allocator, counts.hidden, d));
 }
 
-void shrinkDecoded(const lithe_allocator& allocator, const Counts& counts, uint32_t stride, Decoded* d) {
-  if (counts.nodes < d->node_capacity) resizeNodes(allocator, counts.nodes, d);
-  if (counts.wedges < d->wedge_capacity) resizeWedges(allocator, counts.wedges, stride, d);
+void shrinkDecoded(const lithe_allocator& allocator, const Counts& counts, const RecordWidths& widths, Decoded* d) {
+  if (counts.nodes < d->node_capacity) resizeNodes(allocator, counts.nodes, widths, d);
+  if (counts.wedges < d->wedge_capacity) resizeWedges(allocator, counts.wedges, widths, d);
   if (counts.faces < d->face_capacity) resizeFaces(allocator, counts.faces, d);
   if (counts.hidden < d->hidden_capacity) resizeHidden(allocator, counts.hidden, d);
 }
 
-void freeDecoded(const lithe_allocator& allocator, uint32_t stride, Decoded* d) {
-  freeBlock(allocator, d->node_position, nodeBlock(d->node_capacity));
-  freeBlock(allocator, d->wedge_node, wedgeBlock(d->wedge_capacity, stride));
+void freeDecoded(const lithe_allocator& allocator, const RecordWidths& widths, Decoded* d) {
+  freeBlock(allocator, d->node_parent, nodeBlock(d->node_capacity, widths));
+  freeBlock(allocator, d->wedge_node, wedgeBlock(d->wedge_capacity, widths));
   freeBlock(allocator, d->face_wedges, faceBlock(d->face_capacity));
   freeBlock(allocator, d->hidden_faces, hiddenBlock(d->hidden_capacity));
   *d = {};

@@ -28,18 +28,20 @@ struct Counts {
   uint32_t nodes, wedges, faces, hidden;
 };
 
-/// The arrays lie in four blocks, one per word: nodes, wedges, faces, hidden faces. stride as in WedgeLayout.
-uint64_t decodedBytes(const Counts& counts, uint32_t stride);
-uint64_t largestBlock(const Counts& counts, uint32_t stride);
+/// The arrays lie in four blocks, one per word: nodes, wedges, faces, hidden faces.
+uint64_t decodedBytes(const Counts& counts, const RecordWidths& widths);
+uint64_t largestBlock(const Counts& counts, const RecordWidths& widths);
 
 /// Makes room for the counts. Blocks that are large enough stay; a new block exists beside the one it replaces, one at
 /// a time. Returns false when the host has no memory: what has grown stays grown, and no entry is lost.
-bool reserveDecoded(const lithe_allocator& allocator, const Counts& counts, uint32_t stride, Decoded* decoded);
+bool reserveDecoded(const lithe_allocator& allocator, const Counts& counts, const RecordWidths& widths,
+                    Decoded* decoded);
 
 /// Gives back what the counts (which must hold the valid entries) do not need, as far as the host has memory for
 /// copies.
-void shrinkDecoded(const lithe_allocator& allocator, const Counts& counts, uint32_t stride, Decoded* decoded);
+void shrinkDecoded(const lithe_allocator& allocator, const Counts& counts, const RecordWidths& widths,
+                   Decoded* decoded);
 
-void freeDecoded(const lithe_allocator& allocator, uint32_t stride, Decoded* decoded);
+void freeDecoded(const lithe_allocator& allocator, const RecordWidths& widths, Decoded* decoded);
 
 }  // namespace lithe::runtime

@@ -55,6 +55,10 @@ uint32_t decodeSplits(const PageFormat& format, const PagePlan& plan, PageStream
   fan_scratch.next = scratch->take<uint32_t>(fan);
   fan_scratch.previous = scratch->take<uint32_t>(fan);
   fan_scratch.wedge = scratch->take<uint32_t>(fan);
+  for (uint32_t step = 0; step < 2; ++step) {
+    fan_scratch.other_wedge[step] = scratch->take<uint32_t>(fan);
+    fan_scratch.other_at[step] = scratch->take<format::Int3>(fan);
+  }
   fan_scratch.classes = scratch->take<WedgeClass>(fan);
   fan_scratch.sorted = scratch->take<uint32_t>(2 * fan);
   fan_scratch.at_b = scratch->take<uint8_t>(fan);
@@ -87,9 +91,9 @@ uint32_t applyPage(const PageFormat& format, const PagePlan& plan, PageStreams* 
 
 size_t pageScratchBytes(const PagePlan& plan) {
   const size_t fan = plan.max_fan;
-  return aligned(size_t{plan.values} * sizeof(int32_t)) + 4 * aligned(fan * sizeof(uint32_t)) +
-         aligned(fan * sizeof(WedgeClass)) + aligned(2 * fan * sizeof(uint32_t)) + aligned(fan) +
-         decodeScratchSize(largestStream(plan));
+  return aligned(size_t{plan.values} * sizeof(int32_t)) + 6 * aligned(fan * sizeof(uint32_t)) +
+         2 * aligned(fan * sizeof(format::Int3)) + aligned(fan * sizeof(WedgeClass)) +
+         aligned(2 * fan * sizeof(uint32_t)) + aligned(fan) + decodeScratchSize(largestStream(plan));
 }
 
 lithe_result decodePage(const PageFormat& format, const PagePlan& plan, const uint8_t* bytes, size_t size,

@@ -10,7 +10,7 @@ namespace {
 
 uint32_t decodeSkin(const PageFormat& format, IntReader* joints, IntReader* weights, uint32_t count, NodeSkin* skin) {
   *skin = {};
-  skin->count = static_cast<uint8_t>(count);
+  skin->count = count;
   int64_t left = format.weight_one;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t joint = static_cast<uint32_t>(joints->next());
@@ -35,13 +35,15 @@ uint32_t decodeNodes(const PageFormat& format, const PagePlan& plan, PageStreams
     for (int c = 0; c < 3; ++c) {
       position[c] += splitValue(streams, &nodes[0], low);
       if (position[c] < 0 || position[c] >> format.position_bits) return kCheckNode;
-      out->node_position[3 * n + static_cast<uint32_t>(c)] = static_cast<int32_t>(position[c]);
+      out->node_position[3 * n + static_cast<uint32_t>(c)] = static_cast<uint16_t>(position[c]);
     }
     out->node_first_wedge[n] = static_cast<uint32_t>(wedge);
     wedge += static_cast<uint64_t>(nodes[1].next()) + 1;
     const uint32_t influence_count = static_cast<uint32_t>(nodes[2].next()) + 1;
     if (wedge > plan.wedge_count || influence_count > format.max_influences) return kCheckNode;
-    if (decodeSkin(format, &influences[0], &influences[1], influence_count, &out->node_skin[n])) return kCheckSkin;
+    NodeSkin skin;
+    if (decodeSkin(format, &influences[0], &influences[1], influence_count, &skin)) return kCheckSkin;
+    storeSkin(skin, n, format.max_influences, out);
     out->node_parent[n] = format::kNoIndex;
     out->node_first_child[n] = format::kNoIndex;
     out->node_first_corner[n] = format::kNoIndex;

@@ -16,12 +16,6 @@ using format::kNoIndex;
 
 constexpr int64_t kMostResidual = 1 << 18;  // of a component of D; keeps the arithmetic of planes within 64 bits
 
-int32_t weightOf(const NodeSkin& skin, uint32_t joint) {
-  for (uint32_t i = 0; i < skin.count; ++i)
-    if (skin.joint[i] == joint) return skin.weight[i];
-  return 0;
-}
-
 }  // namespace
 
 SplitDecoder::SplitDecoder(const PageFormat& format, const PagePlan& plan, PageStreams* streams,
@@ -86,12 +80,20 @@ bool SplitDecoder::gatherFan(uint32_t node) {
   }
   work_ += count;
   if (work_ > format::kMaxPageWork) return false;
-  sortValues(scratch_.corner, count);
+  // Corners are linked in ascending order, each in front of the others.
+  for (uint32_t i = 0; i < count / 2; ++i) exchange(scratch_.corner[i], scratch_.corner[count - 1 - i]);
+  constexpr uint8_t kAfter[] = {1, 2, 0, 1};
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t corner = scratch_.corner[i], k = corner % 3, first = corner - k;
-    scratch_.wedge[i] = out_->face_wedges[corner];
-    scratch_.next[i] = out_->wedge_node[out_->face_wedges[first + (k + 1) % 3]];
-    scratch_.previous[i] = out_->wedge_node[out_->face_wedges[first + (k + 2) % 3]];
+    const uint32_t corner = scratch_.corner[i], k = corner % 3;
+    const uint32_t* wedges = out_->face_wedges + (corner - k);
+    scratch_.wedge[i] = wedges[k];
+    uint32_t* const nodes[2] = {scratch_.next, scratch_.previous};
+    for (uint32_t step = 0; step < 2; ++step) {
+      const uint32_t wedge = wedges[kAfter[k + step]], other = out_->wedge_node[wedge];
+      scratch_.other_wedge[step][i] = wedge;
+      scratch_.other_at[step][i] = position(other);
+      nodes[step][i] = other;
+    }
   }
   fan_ = {count, scratch_.corner, scratch_.next, scratch_.previous};
   return true;
@@ -154,7 +156,7 @@ uint32_t SplitDecoder::listedNode(uint32_t neighbour_count, uint32_t* node) {
 }
 
 /// D: what is left over the ring's plane and in it, plus the difference of the neighbourhoods' means.
-bool SplitDecoder::readDifference(const NeighbourSum* sum, uint32_t extent, const format::Plane& plane, int32_t* d) {
+bool SplitDecoder::readDifference(uint32_t extent, const format::Plane& plane, int32_t* d) {
   IntReader* split = streams_->values[format::kSplits];
   const uint8_t* parameters = streams_->parameters;
   const int32_t low = format::lowBits(extent, parameters[format::kPositionBias]);
@@ -169,7 +171,8 @@ bool SplitDecoder::readDifference(const NeighbourSum* sum, uint32_t extent, cons
   // Larger differences cannot lie between two points of the grid, and would overflow further on.
   const int64_t most = int64_t{1} << format_.position_bits;
   for (int c = 0; c < 3; ++c) {
-    const format::Slope means = format::meanDifference(sum[0].value[c], sum[0].count, sum[1].value[c], sum[1].count);
+    const format::Slope means =
+        format::meanDifference(side_[0].neighbours[c], side_[0].count, side_[1].neighbours[c], side_[1].count);
     const int64_t exact = left[c] + format::scaled(parameters[format::kPositionMean], means);
     if (exact >= most || exact <= -most) return false;
     d[c] = static_cast<int32_t>(exact);
@@ -185,29 +188,43 @@ void SplitDecoder::readLattice(const int32_t* d, int64_t* k) {
   k[plane.axis] = split[format::kSplitLatticeHeight].next() - plane.lift(k[plane.across[0]], k[plane.across[1]]);
 }
 
-uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
-  NeighbourSum sum[2] = {};
-  const int32_t* w = out_->node_position + 3 * static_cast<size_t>(node);
-  int32_t low_end[3] = {w[0], w[1], w[2]}, high_end[3] = {w[0], w[1], w[2]};
-  format::AreaNormal normal;
+/// Sums over the fan, and its box with the center.
+void SplitDecoder::sumSides(format::Int3 center, format::Int3* low_end, format::Int3* high_end) {
+  side_[0] = side_[1] = {};
+  format::Int3 low = center, high = center;
+  const bool closed = ring_.kind == format::RingKind::kClosed;
   for (uint32_t i = 0; i < fan_.count; ++i) {
-    NeighbourSum& side = sum[scratch_.at_b[i]];
+    const format::Int3 next = scratch_.other_at[0][i], previous = scratch_.other_at[1][i];
+    SideSum& side = side_[scratch_.at_b[i]];
     side.count += 2;
-    const uint32_t neighbours[2] = {fan_.next[i], fan_.previous[i]};
-    normal.add({w[0], w[1], w[2]}, position(neighbours[0]), position(neighbours[1]));
-    for (uint32_t neighbour : neighbours) {
-      const int32_t* p = out_->node_position + 3 * static_cast<size_t>(neighbour);
-      for (int c = 0; c < 3; ++c) {
-        side.value[c] += p[c];
-        low_end[c] = least(low_end[c], p[c]);
-        high_end[c] = greatest(high_end[c], p[c]);
-      }
-    }
+    side.neighbours[0] += next.x + previous.x;
+    side.neighbours[1] += next.y + previous.y;
+    side.neighbours[2] += next.z + previous.z;
+    side.chord[0] += next.x - previous.x;
+    side.chord[1] += next.y - previous.y;
+    side.chord[2] += next.z - previous.z;
+    side.normal.add(center, next, previous);
+    low = {least(low.x, next.x), least(low.y, next.y), least(low.z, next.z)};
+    high = {greatest(high.x, next.x), greatest(high.y, next.y), greatest(high.z, next.z)};
+    if (closed) continue;
+    low = {least(low.x, previous.x), least(low.y, previous.y), least(low.z, previous.z)};
+    high = {greatest(high.x, previous.x), greatest(high.y, previous.y), greatest(high.z, previous.z)};
   }
-  const int32_t extent =
-      greatest(high_end[0] - low_end[0], greatest(high_end[1] - low_end[1], high_end[2] - low_end[2]));
+  *low_end = low;
+  *high_end = high;
+}
+
+uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
+  const format::Int3 center = position(node);
+  const int32_t w[3] = {center.x, center.y, center.z};
+  format::Int3 low_end, high_end;
+  sumSides(center, &low_end, &high_end);
+  const format::AreaNormal &a_side = side_[0].normal, &b_side = side_[1].normal;
+  const int32_t extent = greatest(high_end.x - low_end.x, greatest(high_end.y - low_end.y, high_end.z - low_end.z));
   int32_t d[3];
-  if (!readDifference(sum, static_cast<uint32_t>(extent), {normal.x, normal.y, normal.z}, d)) return kCheckPosition;
+  if (!readDifference(static_cast<uint32_t>(extent), {a_side.x + b_side.x, a_side.y + b_side.y, a_side.z + b_side.z},
+                      d))
+    return kCheckPosition;
   const format::Int3 difference{d[0], d[1], d[2]};
   const int32_t step = format::latticeStep(difference, format_.placement_shift);
   extent_ =
@@ -221,8 +238,8 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
     const int64_t b = static_cast<int64_t>(w[c]) - k[c] * step - format::eighths(d[c], t8);
     const int64_t a = b + d[c];
     if (b < 0 || a < 0 || b >> format_.position_bits || a >> format_.position_bits) return kCheckPosition;
-    out_->node_position[3 * static_cast<size_t>(child_a) + c] = static_cast<int32_t>(a);
-    out_->node_position[3 * static_cast<size_t>(child_b) + c] = static_cast<int32_t>(b);
+    out_->node_position[3 * static_cast<size_t>(child_a) + c] = static_cast<uint16_t>(a);
+    out_->node_position[3 * static_cast<size_t>(child_b) + c] = static_cast<uint16_t>(b);
   }
   for (uint32_t child = child_a; child <= child_b; ++child) {
     out_->node_parent[child] = node;
@@ -292,31 +309,55 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
 /// The neighbours along the faces at one wedge of the split node (kNoIndex: at all of them).
 void SplitDecoder::gatherRing(uint32_t node, uint32_t wedge) {
   const uint32_t child_a = out_->node_count - 2;
-  format::gatherNeighbours(
-      fan_, position(node), format::minus(position(child_a), position(child_a + 1)), ring_extent_,
-      [&](uint32_t i) { return wedge == kNoIndex || scratch_.wedge[i] == wedge; },
-      [&](uint32_t at) { return position(at); }, [&](uint32_t corner) { return out_->face_wedges[corner]; },
-      neighbours_);
+  const format::Int3 d = format::minus(position(child_a), position(child_a + 1));
+  auto gather = [&](auto includes) {
+    format::gatherNeighbours(
+        fan_, ring_, position(node), d, ring_extent_, includes,
+        [&](uint32_t i, uint32_t step) { return scratch_.other_at[step][i]; },
+        [&](uint32_t i, uint32_t step) { return scratch_.other_wedge[step][i]; }, neighbours_);
+  };
+  if (wedge == kNoIndex)
+    gather([](uint32_t) { return true; });
+  else
+    gather([&](uint32_t i) { return scratch_.wedge[i] == wedge; });
 }
 
+/// Of the faces at one wedge of the split node.
 format::Int2 SplitDecoder::normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const {
-  const uint32_t child_a = out_->node_count - 2;
+  const uint32_t child_a = out_->node_count - 2, parent = out_->node_parent[child_a];
   format::ChildNormals normals{{position(child_a), position(child_a + 1)}, {}};
-  auto position_of = [&](uint32_t node) { return position(node); };
-  normals.addFan(
-      fan_, [&](uint32_t i) { return scratch_.wedge[i] == wedge; }, scratch_.at_b, position_of);
+  if (out_->node_first_wedge[parent + 1] - first_parent_wedge_ == 1) {
+    // All of them: their sums seen from the split node are known, and (n - c) x (p - c) = n x p + c x (n - p).
+    const format::Int3 from = position(parent);
+    for (uint32_t side = 0; side < 2; ++side) {
+      const format::Int3 c = format::minus(normals.child[side], from);
+      const int64_t* chord = side_[side].chord;
+      normals.normal[side] = side_[side].normal;
+      normals.normal[side].x += c.y * chord[2] - c.z * chord[1];
+      normals.normal[side].y += c.z * chord[0] - c.x * chord[2];
+      normals.normal[side].z += c.x * chord[1] - c.y * chord[0];
+    }
+  } else {
+    normals.addFan(
+        fan_, [&](uint32_t i) { return scratch_.wedge[i] == wedge; }, scratch_.at_b,
+        [&](uint32_t i, uint32_t step) { return scratch_.other_at[step][i]; });
+  }
   for (uint32_t i = 0; !listed_ && i < face_count_; ++i)
     normals.addCut(position(ring_faces_[i].third), ring_faces_[i].first_is_a);
   return format::normalDifference(normals.normal[0], normals.normal[1], chart);
 }
 
-/// Of an entry of the records.
-int32_t SplitDecoder::predict(const uint16_t* parent, uint32_t at, int32_t strength) const {
-  if (strength == 0) return 0;
+/// Of two entries of the records.
+format::Int2 SplitDecoder::predictPair(const uint16_t* parent, uint32_t at, int32_t strength) const {
+  if (strength == 0) return {0, 0};
   const uint32_t stride = format_.layout.stride;
-  return format::scaled(strength, neighbours_.slopeOf([&](uint32_t wedge) {
-    return int32_t{out_->wedge_attributes[static_cast<size_t>(wedge) * stride + at]} - int32_t{parent[at]};
-  }));
+  format::Slope slope[2];
+  auto pair = [&](uint32_t wedge) -> format::Int2 {
+    const uint16_t* p = out_->wedge_attributes + static_cast<size_t>(wedge) * stride + at;
+    return {p[0], p[1]};
+  };
+  neighbours_.slopesOf(pair, {parent[at], parent[at + 1]}, slope);
+  return {format::scaled(strength, slope[0]), format::scaled(strength, slope[1])};
 }
 
 /// Of the two entries of a direction, in the chart around the parent's.
@@ -333,12 +374,25 @@ format::Int2 SplitDecoder::predictDirection(const format::ChartedDirection& pare
   return {format::scaled(strength, slope[0]), format::scaled(strength, slope[1])};
 }
 
-int32_t SplitDecoder::predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const {
-  if (strength == 0) return 0;
-  const int32_t at_parent = weightOf(parent, joint);
-  return format::scaled(strength, neighbours_.slopeOf([&](uint32_t wedge) {
-    return weightOf(out_->node_skin[out_->wedge_node[wedge]], joint) - at_parent;
-  }));
+/// The moments of joints' weights around the parent's.
+void SplitDecoder::sumWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints, uint32_t count,
+                              format::Moment* moments) const {
+  format::Moment all;
+  for (uint32_t i = 0; i < neighbours_.count; ++i) {
+    const format::Int3 r = neighbours_.r[i];
+    const SkinRecord skin = skinOf(*out_, out_->wedge_node[neighbours_.wedge[i]], format_.max_influences);
+    for (uint32_t k = 0; k < skin.most && skin.weight[k] > 0; ++k) {
+      for (uint32_t j = 0; j < count; ++j)
+        if (joints[j] == skin.joint[k]) moments[j].add(r, skin.weight[k]);
+    }
+    all.add(r, 1);
+  }
+  for (uint32_t j = 0; j < count && j < parent_count; ++j) {
+    const int64_t weight = at_parent[j];
+    moments[j].x -= weight * all.x;
+    moments[j].y -= weight * all.y;
+    moments[j].z -= weight * all.z;
+  }
 }
 
 bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
@@ -422,7 +476,7 @@ bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const ui
   };
   for (uint32_t s = 0; s < format_.has.uv_sets; ++s) {
     const int32_t strength = parameters[format::kUvGradient0 + s];
-    const format::Int2 expected{predict(parent, at, strength), predict(parent, at + 1, strength)};
+    const format::Int2 expected = predictPair(parent, at, strength);
     const int32_t low = format::lowBits(extent_, parameters[format::kUvBias0 + s]);
     IntReader* uvs = streams_->values[format::kUv0 + s];
     if (!linear(int64_t{residual(uvs, low)} + expected.x) || !linear(int64_t{residual(uvs, low)} + expected.y))
@@ -546,7 +600,7 @@ bool makeSkin(const PageFormat& format, WeightEntry* entries, uint32_t count, No
     return x.weight != y.weight ? x.weight > y.weight : x.joint < y.joint;
   });
   *skin = {};
-  skin->count = static_cast<uint8_t>(kept);
+  skin->count = kept;
   for (uint32_t i = 0; i < kept; ++i) {
     if (static_cast<uint32_t>(entries[i].weight) > format.weight_one) return false;
     skin->joint[i] = static_cast<uint16_t>(entries[i].joint);
@@ -559,35 +613,44 @@ bool makeSkin(const PageFormat& format, WeightEntry* entries, uint32_t count, No
 }  // namespace
 
 uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
-  const NodeSkin parent = out_->node_skin[node];
-  NodeSkin* skins = out_->node_skin + (out_->node_count - 2);
+  const uint32_t influences = format_.max_influences, child_a = out_->node_count - 2;
+  const SkinRecord parent = skinOf(*out_, node, influences);
   if (mode == format::kSkinSame) {
-    skins[0] = skins[1] = parent;
+    uint16_t* children = out_->node_skin + size_t{2} * influences * child_a;
+    memcpy(children, parent.joint, 2 * influences * sizeof(uint16_t));
+    memcpy(children + 2 * influences, parent.joint, 2 * influences * sizeof(uint16_t));
     return 0;
   }
+  const uint32_t parent_count = parent.count();
   IntReader& news = streams_->values[format::kSkinNew][0];
   uint32_t joints[format::kMaxSkinJoints];
   const uint32_t new_count = static_cast<uint32_t>(news.next());
-  if (new_count > format::kMaxSkinJoints - parent.count) return kCheckChildSkin;
-  const uint32_t count = parent.count + new_count;
+  if (new_count > format::kMaxSkinJoints - parent_count) return kCheckChildSkin;
+  const uint32_t count = parent_count + new_count;
   for (uint32_t i = 0; i < count; ++i) {
-    joints[i] = i < parent.count ? parent.joint[i] : static_cast<uint32_t>(news.next());
+    joints[i] = i < parent_count ? parent.joint[i] : static_cast<uint32_t>(news.next());
     if (joints[i] >= format_.joint_count) return kCheckChildSkin;
   }
   const int32_t shift = streams_->parameters[format::kSkinShift],
                 strength = streams_->parameters[format::kSkinGradient];
   // With one wedge the attributes' ring is the whole fan's: it is still at hand.
   const bool one_wedge = out_->node_first_wedge[node + 1] - first_parent_wedge_ == 1;
-  if (strength > 0 && count > 1 && !one_wedge) gatherRing(node, kNoIndex);
+  const uint32_t written = count - 1;
+  format::Moment moments[format::kMaxSkinJoints] = {};
+  if (strength > 0 && written > 0) {
+    if (!one_wedge) gatherRing(node, kNoIndex);
+    sumWeights(parent.weight, parent_count, joints, written, moments);
+  }
   WeightEntry a[format::kMaxSkinJoints] = {}, b[format::kMaxSkinJoints] = {};
   const int32_t one = static_cast<int32_t>(format_.weight_one);
   int32_t last_d = 0, sum_b = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const bool last = i + 1 == count;
-    const int32_t of_parent = i < parent.count ? parent.weight[i] : 0;
+    const int32_t of_parent = i < parent_count ? parent.weight[i] : 0;
     int64_t d = last_d;
     if (!last)
-      d = int64_t{residual(&streams_->values[format::kSkinD][0], shift)} + predictWeight(parent, joints[i], strength);
+      d = int64_t{residual(&streams_->values[format::kSkinD][0], shift)} +
+          format::scaled(strength, neighbours_.gradient.of(moments[i]));
     if (d > one || d < -one) return kCheckChildSkin;
     int32_t of_b;
     if (mode == format::kSkinRule)
@@ -601,7 +664,10 @@ uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
   }
   if (mode == format::kSkinRule) b[0].weight += one - sum_b;
   for (uint32_t i = 0; i < count; ++i) a[i].weight += b[i].weight;
+  NodeSkin skins[2];
   if (!makeSkin(format_, a, count, &skins[0]) || !makeSkin(format_, b, count, &skins[1])) return kCheckChildSkin;
+  storeSkin(skins[0], child_a, influences, out_);
+  storeSkin(skins[1], child_a + 1, influences, out_);
   return 0;
 }
 

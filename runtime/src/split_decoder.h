@@ -17,10 +17,12 @@ struct WedgeClass {
   bool at_a, at_b;  ///< its corners lie at these children
 };
 
-/// Sums over the neighbours of one child: each of its faces adds its two other corners.
-struct NeighbourSum {
-  int64_t value[3];
-  int64_t count;
+/// Sums over the faces of one child before it has moved there.
+struct SideSum {
+  int64_t neighbours[3];      ///< of the positions of their two other corners
+  int64_t count;              ///< of these corners
+  format::AreaNormal normal;  ///< seen from the split node
+  int64_t chord[3];           ///< of the ways from the previous to the next corner
 };
 
 /// Memory for the node that is being split: max_fan entries each.
@@ -29,9 +31,11 @@ struct FanScratch {
   uint32_t* corner;
   uint32_t* next;
   uint32_t* previous;
-  uint32_t* wedge;      ///< the corner's wedge at the split node, before it moves
-  WedgeClass* classes;  ///< per wedge of the split node
-  uint32_t* sorted;     ///< 2 * capacity: the neighbours, for lists that name them by rank
+  uint32_t* wedge;            ///< the corner's wedge at the split node, before it moves
+  uint32_t* other_wedge[2];   ///< those of its face's next and previous corners
+  format::Int3* other_at[2];  ///< and the positions of their nodes
+  WedgeClass* classes;        ///< per wedge of the split node
+  uint32_t* sorted;           ///< 2 * capacity: the neighbours, for lists that name them by rank
   uint8_t* at_b;
 };
 
@@ -60,18 +64,20 @@ class SplitDecoder {
   uint32_t readList();
   uint32_t listedNode(uint32_t neighbour_count, uint32_t* node);
   uint32_t placeChildren(uint32_t node, int32_t t8);
-  bool readDifference(const NeighbourSum* sum, uint32_t extent, const format::Plane& plane, int32_t* d);
+  void sumSides(format::Int3 center, format::Int3* low_end, format::Int3* high_end);
+  bool readDifference(uint32_t extent, const format::Plane& plane, int32_t* d);
   void readLattice(const int32_t* d, int64_t* k);
   uint32_t readClasses(uint32_t node);
   uint32_t readAttributes(uint32_t node, int32_t t8);
   bool readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
   void gatherRing(uint32_t node, uint32_t wedge);
   format::Int2 normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const;
-  int32_t predict(const uint16_t* parent, uint32_t at, int32_t strength) const;
+  format::Int2 predictPair(const uint16_t* parent, uint32_t at, int32_t strength) const;
   format::Int2 predictDirection(const format::ChartedDirection& parent, uint32_t at, int32_t strength) const;
-  int32_t predictWeight(const NodeSkin& parent, uint32_t joint, int32_t strength) const;
+  void sumWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints, uint32_t count,
+                  format::Moment* moments) const;
   format::Int3 position(uint32_t node) const {
-    const int32_t* p = out_->node_position + 3 * static_cast<size_t>(node);
+    const uint16_t* p = out_->node_position + 3 * static_cast<size_t>(node);
     return {p[0], p[1], p[2]};
   }
   bool readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
@@ -100,6 +106,7 @@ class SplitDecoder {
   bool listed_ = false;                ///< sides and faces come from kGeneral
   uint32_t extent_ = 0;                ///< of D, for the uvs' low bits
   uint32_t ring_extent_ = 0;           ///< of the ring and of D
+  SideSum side_[2];                    ///< child A's and child B's
   format::RingNeighbours neighbours_;  ///< of the corners at one wedge of the split node, or at all
   uint64_t work_ = 0;
 

@@ -61,7 +61,7 @@ lithe_result decodeInto(lithe_asset* asset, uint32_t page, const void* bytes, si
   const PagePlan plan = planOf(*asset, page);
   const uint32_t level = plan.ended_levels ? plan.level + plan.ended_levels - 1 : plan.level;
   const Counts counts = countsOf(*asset, level);
-  if (!reserveDecoded(asset->allocator, counts, strideOf(*asset), &asset->decoded)) return LITHE_ERROR_OUT_OF_MEMORY;
+  if (!reserveDecoded(asset->allocator, counts, widthsOf(*asset), &asset->decoded)) return LITHE_ERROR_OUT_OF_MEMORY;
   const uint64_t scratch_bytes = scratchBytes(plan);
   void* scratch = allocateBlock(asset->allocator, scratch_bytes);
   if (!scratch) return LITHE_ERROR_OUT_OF_MEMORY;
@@ -96,16 +96,23 @@ uint64_t lithe_asset_memory(const lithe_asset* asset, uint32_t level) {
   uint32_t page = 0, coarser = LITHE_NO_LEVEL;
   for (uint32_t l = 0; coarser == LITHE_NO_LEVEL || coarser < level; l = coarser + 1) {
     l = lastOfPage(*asset, l);
-    uint64_t beside = coarser != LITHE_NO_LEVEL ? largestBlock(countsOf(*asset, coarser), strideOf(*asset)) : 0;
+    uint64_t beside = coarser != LITHE_NO_LEVEL ? largestBlock(countsOf(*asset, coarser), widthsOf(*asset)) : 0;
     for (; page < asset->levels[l].entry.page_end; ++page) {
       const uint64_t scratch = scratchBytes(planOf(*asset, page));
       if (scratch > beside) beside = scratch;
     }
-    const uint64_t bytes = decodedBytes(countsOf(*asset, l), strideOf(*asset)) + beside;
+    const uint64_t bytes = decodedBytes(countsOf(*asset, l), widthsOf(*asset)) + beside;
     if (bytes > most) most = bytes;
     coarser = l;
   }
   return most;
+}
+
+lithe_result lithe_asset_reserve(lithe_asset* asset, uint32_t level) {
+  if (!asset || level >= asset->level_count) return invalidArgument();
+  const Counts counts = countsOf(*asset, lastOfPage(*asset, level));
+  const bool done = reserveDecoded(asset->allocator, counts, widthsOf(*asset), &asset->decoded);
+  return done ? LITHE_OK : LITHE_ERROR_OUT_OF_MEMORY;
 }
 
 lithe_result lithe_asset_supply(lithe_asset* asset, uint32_t page, const void* bytes, size_t size,
@@ -131,11 +138,14 @@ lithe_result lithe_asset_evict(lithe_asset* asset, uint32_t level) {
   // Pages are dropped whole, so levels that share the last one stay.
   level = lastOfPage(*asset, level);
   const uint32_t page_end = asset->levels[level].entry.page_end;
-  if (asset->pages_resident <= page_end) return LITHE_OK;
   const Counts counts = countsOf(*asset, level);
+  if (asset->pages_resident <= page_end) {
+    shrinkDecoded(asset->allocator, counts, widthsOf(*asset), &asset->decoded);  // what a reserve has made room for
+    return LITHE_OK;
+  }
   asset->decoded.hidden_count = counts.hidden;
   truncateDecoded(&asset->decoded, counts.nodes, counts.wedges, counts.faces);
-  shrinkDecoded(asset->allocator, counts, strideOf(*asset), &asset->decoded);
+  shrinkDecoded(asset->allocator, counts, widthsOf(*asset), &asset->decoded);
   asset->pages_resident = page_end;
   asset->resident_level = level;
   return LITHE_OK;

@@ -25,7 +25,9 @@ struct Block {
   const uint16_t* record(uint32_t wedge, uint32_t at) const {
     return decoded().wedge_attributes + size_t{wedge} * strideOf(asset) + at;
   }
-  const NodeSkin& skin(uint32_t wedge) const { return decoded().node_skin[decoded().wedge_node[wedge]]; }
+  SkinRecord skin(uint32_t wedge) const {
+    return skinOf(decoded(), decoded().wedge_node[wedge], asset.format.max_influences);
+  }
 };
 
 using Writer = void (*)(const Block&);
@@ -46,7 +48,7 @@ void put(uint8_t* out, const T (&values)[kCount]) {
 void writePositionF32(const Block& block) {
   const Info& info = block.info();
   forEachVertex(block, [&](uint32_t wedge, uint8_t* out) {
-    const int32_t* grid = block.decoded().node_position + 3 * size_t{block.decoded().wedge_node[wedge]};
+    const uint16_t* grid = block.decoded().node_position + 3 * size_t{block.decoded().wedge_node[wedge]};
     const float xyz[3] = {bindCoordinate(info, 0, static_cast<float>(grid[0])),
                           bindCoordinate(info, 1, static_cast<float>(grid[1])),
                           bindCoordinate(info, 2, static_cast<float>(grid[2]))};
@@ -59,7 +61,7 @@ void writePositionSnorm16(const Block& block) {
   // -32768 would be read as -32767: of 16 position bits the lowest coordinate moves by one step.
   auto centered = [&](int32_t grid) { return static_cast<int16_t>(grid - middle < -32767 ? -32767 : grid - middle); };
   forEachVertex(block, [&](uint32_t wedge, uint8_t* out) {
-    const int32_t* grid = block.decoded().node_position + 3 * size_t{block.decoded().wedge_node[wedge]};
+    const uint16_t* grid = block.decoded().node_position + 3 * size_t{block.decoded().wedge_node[wedge]};
     const int16_t xyzw[4] = {centered(grid[0]), centered(grid[1]), centered(grid[2]), 32767};
     put(out, xyzw);
   });
@@ -181,9 +183,10 @@ void writeColorUnorm8(const Block& block) {
 template <typename T>
 void writeJoints(const Block& block) {
   forEachVertex(block, [&](uint32_t wedge, uint8_t* out) {
-    const NodeSkin& skin = block.skin(wedge);
+    const SkinRecord skin = block.skin(wedge);
+    const uint32_t count = skin.count();
     T joints[LITHE_MAX_INFLUENCES] = {};
-    for (uint32_t i = 0; i < skin.count; ++i) joints[i] = static_cast<T>(skin.joint[i]);
+    for (uint32_t i = 0; i < count; ++i) joints[i] = static_cast<T>(skin.joint[i]);
     memcpy(out, joints, block.influences * sizeof(T));
   });
 }
@@ -193,29 +196,31 @@ template <typename T>
 void writeWeights(const Block& block) {
   constexpr uint32_t kTarget = static_cast<T>(~T{0});
   forEachVertex(block, [&](uint32_t wedge, uint8_t* out) {
-    const NodeSkin& skin = block.skin(wedge);
+    const SkinRecord skin = block.skin(wedge);
+    const uint32_t count = skin.count();
     uint16_t scaled[LITHE_MAX_INFLUENCES];
-    rescaleWeights(skin.weight, skin.count, block.asset.format.weight_one, kTarget, scaled);
+    rescaleWeights(skin.weight, count, block.asset.format.weight_one, kTarget, scaled);
     T weights[LITHE_MAX_INFLUENCES] = {};
-    for (uint32_t i = 0; i < skin.count; ++i) weights[i] = static_cast<T>(scaled[i]);
+    for (uint32_t i = 0; i < count; ++i) weights[i] = static_cast<T>(scaled[i]);
     memcpy(out, weights, block.influences * sizeof(T));
   });
 }
 
 void writeWeightsUnorm8AsStored(const Block& block) {
   forEachVertex(block, [&](uint32_t wedge, uint8_t* out) {
-    const NodeSkin& skin = block.skin(wedge);
+    const SkinRecord skin = block.skin(wedge);
     for (uint32_t i = 0; i < block.influences; ++i)
-      out[i] = i < skin.count ? static_cast<uint8_t>(skin.weight[i]) : uint8_t{0};
+      out[i] = i < skin.most ? static_cast<uint8_t>(skin.weight[i]) : uint8_t{0};
   });
 }
 
 void writeWeightsF32(const Block& block) {
   const float one = static_cast<float>(block.asset.format.weight_one);
   forEachVertex(block, [&](uint32_t wedge, uint8_t* out) {
-    const NodeSkin& skin = block.skin(wedge);
+    const SkinRecord skin = block.skin(wedge);
+    const uint32_t count = skin.count();
     float weights[LITHE_MAX_INFLUENCES] = {};
-    for (uint32_t i = 0; i < skin.count; ++i) weights[i] = static_cast<float>(skin.weight[i]) / one;
+    for (uint32_t i = 0; i < count; ++i) weights[i] = static_cast<float>(skin.weight[i]) / one;
     memcpy(out, weights, block.influences * sizeof(float));
   });
 }

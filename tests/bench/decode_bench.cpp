@@ -40,6 +40,9 @@ void require(bool ok, const char* what) {
 
 AssetHandle load(const Character& character, const lithe_allocator* allocator = test::mallocAllocator()) {
   AssetHandle asset = openAsset(character.bytes, allocator);
+  lithe_asset_info info;
+  lithe_asset_describe(asset.get(), &info);
+  require(lithe_asset_reserve(asset.get(), info.level_count - 1) == LITHE_OK, "making room for the finest level");
   supplyAll(*asset, character.bytes);
   return asset;
 }

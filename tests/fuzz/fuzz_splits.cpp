@@ -35,7 +35,7 @@ struct Cut {
     runtime::Decoded& d = asset->decoded;
     LITHE_DEMAND(runtime::reserveDecoded(asset->allocator,
                                          {d.node_count + 64, d.wedge_count + 256, d.face_count + 256, 0},
-                                         runtime::strideOf(*asset), &d));
+                                         runtime::widthsOf(*asset), &d));
     const runtime::PageEntry next = runtime::pageEntry(*asset, pages);
     const uint32_t level = pages == 0 ? 0 : runtime::pageEntry(*asset, pages - 1).level;
     level_first_node = next.level ? asset->levels[next.level - 1].entry.node_count : 0;
@@ -115,6 +115,8 @@ uint32_t applySplits(const lithe_asset& asset, const runtime::PagePlan& plan, ui
                      runtime::PageStreams* streams, runtime::Decoded* decoded) {
   const size_t fan = plan.max_fan;
   std::vector<uint32_t> corner(fan), next(fan), previous(fan), wedge(fan), sorted(2 * fan);
+  std::vector<uint32_t> other_wedge[2] = {std::vector<uint32_t>(fan), std::vector<uint32_t>(fan)};
+  std::vector<format::Int3> other_at[2] = {std::vector<format::Int3>(fan), std::vector<format::Int3>(fan)};
   std::vector<runtime::WedgeClass> classes(fan);
   std::vector<uint8_t> at_b(fan);
   runtime::FanScratch scratch;
@@ -123,6 +125,10 @@ uint32_t applySplits(const lithe_asset& asset, const runtime::PagePlan& plan, ui
   scratch.next = next.data();
   scratch.previous = previous.data();
   scratch.wedge = wedge.data();
+  for (uint32_t step = 0; step < 2; ++step) {
+    scratch.other_wedge[step] = other_wedge[step].data();
+    scratch.other_at[step] = other_at[step].data();
+  }
   scratch.classes = classes.data();
   scratch.sorted = sorted.data();
   scratch.at_b = at_b.data();
@@ -141,10 +147,13 @@ uint32_t applyBase(const lithe_asset& asset, const runtime::PagePlan& plan, runt
 
 void demandSkins(const lithe_asset& asset) {
   for (uint32_t n = 0; n < asset.decoded.node_count; ++n) {
-    const runtime::NodeSkin& skin = asset.decoded.node_skin[n];
+    const runtime::SkinRecord kept = runtime::skinOf(asset.decoded, n, asset.format.max_influences);
+    runtime::NodeSkin skin = {kept.count(), {}, {}};
     uint32_t sum = 0;
     LITHE_DEMAND(skin.count >= 1 && skin.count <= asset.format.max_influences);
     for (uint32_t i = 0; i < skin.count; ++i) {
+      skin.joint[i] = kept.joint[i];
+      skin.weight[i] = kept.weight[i];
       LITHE_DEMAND(skin.joint[i] < asset.format.joint_count && skin.weight[i] > 0);
       sum += skin.weight[i];
     }

@@ -71,6 +71,7 @@ class HandMade {
   uint32_t stride() const {
     return (shape_.normals ? 2 : 0) + (shape_.tangents ? 3 : 0) + 2 * shape_.uv_sets + 4 * shape_.color_sets;
   }
+  runtime::RecordWidths widths() const { return {stride(), shape_.max_influences}; }
   const AssetShape& shape() const { return shape_; }
   const runtime::NodeSkin& skinOf(uint32_t wedge) const { return nodes[wedges[wedge].node].skin; }
 
@@ -84,7 +85,7 @@ class HandMade {
   runtime::NodeSkin randomSkin() {
     runtime::NodeSkin skin = {};
     uint32_t left = (1u << shape_.weight_bits) - 1;
-    skin.count = static_cast<uint8_t>(1 + random_.below(std::min(shape_.max_influences, shape_.joints)));
+    skin.count = static_cast<uint32_t>(1 + random_.below(std::min(shape_.max_influences, shape_.joints)));
     const uint32_t first = random_.below(shape_.joints);
     for (uint32_t i = 0; i < skin.count; ++i) {
       skin.joint[i] = static_cast<uint16_t>((first + i) % shape_.joints);
@@ -311,13 +312,13 @@ class HandMade {
   bool fill(lithe_asset* asset) const {
     const uint32_t last = static_cast<uint32_t>(levels.size() - 1);
     runtime::Decoded& d = asset->decoded;
-    if (!runtime::reserveDecoded(asset->allocator, runtime::countsOf(*asset, last), stride(), &d)) return false;
+    if (!runtime::reserveDecoded(asset->allocator, runtime::countsOf(*asset, last), widths(), &d)) return false;
     uint32_t wedge = 0;
     for (uint32_t n = 0; n < nodes.size(); ++n) {
-      std::memcpy(d.node_position + 3 * n, nodes[n].position.data(), 12);
+      for (uint32_t c = 0; c < 3; ++c) d.node_position[3 * n + c] = static_cast<uint16_t>(nodes[n].position[c]);
       d.node_parent[n] = nodes[n].parent;
       d.node_first_child[n] = nodes[n].first_child;
-      d.node_skin[n] = nodes[n].skin;
+      runtime::storeSkin(nodes[n].skin, n, widths().influences, &d);
       d.node_first_wedge[n] = wedge;
       while (wedge < wedges.size() && wedges[wedge].node == n) ++wedge;
       d.node_first_wedge[n + 1] = wedge;

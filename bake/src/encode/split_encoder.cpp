@@ -73,14 +73,14 @@ void SplitEncoder::split(uint32_t node) {
 
   writeConnectivity(plan, fan, ring);
   writePosition(hierarchy_node, plan, fan);
-  const format::RingNeighbours whole_ring = ringOf(node, kNone, plan, fan);
-  writeWedges(node, plan, fan);
+  const format::RingNeighbours all_neighbours = neighboursOf(node, kNone, plan, fan, ring);
+  writeWedges(node, plan, fan, ring);
   addFaces(node, plan, fan, ring);
   auto skin_of = [&](uint32_t wedge) -> const QuantizedSkin& {
     return cut_.h.skin[cut_.node_hierarchy[cut_.wedge_node[wedge]]];
   };
   encodeSkins(cut_.h.skin[hierarchy_node], cut_.h.skin[plan.a], cut_.h.skin[plan.b], plan.t8, settings_.weight_one,
-              {whole_ring, skin_of}, page_, residuals_);
+              {all_neighbours, skin_of}, page_, residuals_);
   cut_.node_split[node] = 1;
 }
 
@@ -256,7 +256,7 @@ void SplitEncoder::writeClass(uint32_t wedge, size_t count_a, size_t count_b, co
 }
 
 // The children's wedges are numbered class by class, child A's before child B's.
-void SplitEncoder::writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan) {
+void SplitEncoder::writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
   std::vector<std::vector<uint32_t>> of_a, of_b;
   std::vector<uint32_t> wedges_a, wedges_b;
   const uint32_t first = cut_.node_first_wedge[node], end = cut_.node_first_wedge[node + 1];
@@ -267,41 +267,36 @@ void SplitEncoder::writeWedges(uint32_t node, const Plan& plan, const format::Fa
     wedges_b.insert(wedges_b.end(), of_b.back().begin(), of_b.back().end());
     writeClass(w, of_a.back().size(), of_b.back().size(), plan, fan);
   }
-  for (uint32_t w = first; w < end; ++w) writeAttributes(w, of_a[w - first], of_b[w - first], plan, fan);
+  for (uint32_t w = first; w < end; ++w) writeAttributes(w, of_a[w - first], of_b[w - first], plan, fan, ring);
   cut_.addNode(plan.a, wedges_a);
   cut_.addNode(plan.b, wedges_b);
 }
 
 // In the chart around the parent's direction.
 Residual SplitEncoder::directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
-                                         const format::RingNeighbours& ring) const {
-  const format::Int2 p = direction(parent, at);
-  const auto d =
-      octahedralDifference(p, direction(b, at), direction(a, at), plan.directionRule(settings_.normal_center));
+                                         const format::RingNeighbours& neighbours) const {
+  const format::Int2 p = pairAt(parent, at);
+  const auto d = octahedralDifference(p, pairAt(b, at), pairAt(a, at), plan.directionRule(settings_.normal_center));
   if (!d) throw Error("a direction cannot be recovered from its parent: this is a fault of lithe, please report it");
   Residual residual;
   residual.components = 2;
   residual.difference = {d->x, d->y, 0};
   const format::ChartedDirection here(p, settings_.normal_center);
-  auto point = [&](uint32_t neighbour) {
-    return here.chart.fromSquare(direction(cut_.wedge_hierarchy[neighbour], at));
-  };
-  ring.slopesOf(point, here.point, residual.slope.data());
+  auto point = [&](uint32_t neighbour) { return here.chart.fromSquare(pairAt(cut_.wedge_hierarchy[neighbour], at)); };
+  neighbours.slopesOf(point, here.point, residual.slope.data());
   return residual;
 }
 
 Residual SplitEncoder::uvResidual(uint32_t set, uint32_t parent, uint32_t a, uint32_t b,
-                                  const format::RingNeighbours& ring) const {
+                                  const format::RingNeighbours& neighbours) const {
   Residual residual;
   residual.kind = Residual::Kind::kUv;
   residual.set = static_cast<uint8_t>(set);
   residual.components = 2;
-  for (uint32_t c = 0; c < 2; ++c) {
-    const uint32_t at = cut_.h.record.uv[set] + c;
-    residual.difference[c] = attributes(a)[at] - attributes(b)[at];
-    residual.slope[c] = ring.slopeOf(
-        [&](uint32_t neighbour) { return attributes(cut_.wedge_hierarchy[neighbour])[at] - attributes(parent)[at]; });
-  }
+  const uint32_t at = cut_.h.record.uv[set];
+  for (uint32_t c = 0; c < 2; ++c) residual.difference[c] = attributes(a)[at + c] - attributes(b)[at + c];
+  neighbours.slopesOf([&](uint32_t neighbour) { return pairAt(cut_.wedge_hierarchy[neighbour], at); },
+                      pairAt(parent, at), residual.slope.data());
   return residual;
 }
 
@@ -311,46 +306,48 @@ bool SplitEncoder::isPredicted(uint32_t node, const format::Fan& fan) const {
 }
 
 // Of the corners at one wedge of the split node; kNone: at all of them.
-format::RingNeighbours SplitEncoder::ringOf(uint32_t node, uint32_t wedge, const Plan& plan,
-                                            const format::Fan& fan) const {
-  format::RingNeighbours ring;
+format::RingNeighbours SplitEncoder::neighboursOf(uint32_t node, uint32_t wedge, const Plan& plan,
+                                                  const format::Fan& fan, const format::Ring& ring) const {
+  format::RingNeighbours neighbours;
   format::gatherNeighbours(
-      fan, filePosition(node), format::minus(positionOf(plan.a), positionOf(plan.b)), extent_,
+      fan, ring, filePosition(node), format::minus(positionOf(plan.a), positionOf(plan.b)), extent_,
       [&](uint32_t i) { return wedge == kNone || cornerWedge(fan.corner[i]) == wedge; },
-      [&](uint32_t at) { return filePosition(at); }, [&](uint32_t corner) { return cornerWedge(corner); }, ring);
-  return ring;
+      [&](uint32_t i, uint32_t step) { return filePosition(step == 0 ? fan.next[i] : fan.previous[i]); },
+      [&](uint32_t i, uint32_t step) { return neighbourWedge(fan, i, step); }, neighbours);
+  return neighbours;
 }
 
 format::Int2 SplitEncoder::normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan,
                                             const format::OctahedralChart& chart) const {
   format::ChildNormals normals{{positionOf(plan.a), positionOf(plan.b)}, {}};
-  auto position_of = [&](uint32_t node) { return filePosition(node); };
   normals.addFan(
-      fan, [&](uint32_t i) { return cornerWedge(fan.corner[i]) == wedge; }, plan.at_b, position_of);
+      fan, [&](uint32_t i) { return cornerWedge(fan.corner[i]) == wedge; }, plan.at_b,
+      [&](uint32_t i, uint32_t step) { return filePosition(step == 0 ? fan.next[i] : fan.previous[i]); });
   for (const NewFace& face : plan.faces)
     if (face.ring_at != kNone) normals.addCut(filePosition(face.third), face.first_is_a);
   return format::normalDifference(normals.normal[0], normals.normal[1], chart);
 }
 
 void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
-                                   const Plan& plan, const format::Fan& fan) {
+                                   const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
   const WedgeRecord& record = cut_.h.record;
   const uint32_t parent = cut_.wedge_hierarchy[wedge];
   if (!of_a.empty() && !of_b.empty()) {
     const uint32_t a = of_a[0], b = of_b[0];
     const uint32_t node = cut_.wedge_node[wedge];
     const bool predicted = isPredicted(node, fan);
-    const format::RingNeighbours ring = predicted ? ringOf(node, wedge, plan, fan) : format::RingNeighbours{};
+    const format::RingNeighbours neighbours =
+        predicted ? neighboursOf(node, wedge, plan, fan, ring) : format::RingNeighbours{};
     if (record.normal != kNone) {
-      Residual residual = directionResidual(record.normal, parent, a, b, plan, ring);
+      Residual residual = directionResidual(record.normal, parent, a, b, plan, neighbours);
       residual.kind = Residual::Kind::kNormal;
-      const auto chart = format::OctahedralChart::around(direction(parent, record.normal), settings_.normal_center);
+      const auto chart = format::OctahedralChart::around(pairAt(parent, record.normal), settings_.normal_center);
       const format::Int2 apart = predicted ? normalDifference(wedge, plan, fan, chart) : format::Int2{0, 0};
       residual.geometry = {apart.x, apart.y, 0};
       residuals_.add(residual);
     }
     if (record.tangent != kNone) {
-      Residual residual = directionResidual(record.tangent, parent, a, b, plan, ring);
+      Residual residual = directionResidual(record.tangent, parent, a, b, plan, neighbours);
       residual.kind = Residual::Kind::kTangent;
       residuals_.add(residual);
       const uint32_t sign = record.tangent + 2;
@@ -359,7 +356,7 @@ void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& 
     }
     const glm::ivec3 d = glm::abs(cut_.h.position[plan.a] - cut_.h.position[plan.b]);
     for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) {
-      Residual residual = uvResidual(s, parent, a, b, ring);
+      Residual residual = uvResidual(s, parent, a, b, neighbours);
       residual.extent = static_cast<uint32_t>(std::max({d.x, d.y, d.z}));
       residuals_.add(residual);
     }

@@ -58,19 +58,24 @@ class SplitEncoder {
   bool tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, int32_t mode) const;
   void writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring);
   void writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
-  void writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan);
+  void writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
   void writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan, const format::Fan& fan);
   void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
-                       const Plan& plan, const format::Fan& fan);
-  Residual uvResidual(uint32_t set, uint32_t parent, uint32_t a, uint32_t b, const format::RingNeighbours& ring) const;
+                       const Plan& plan, const format::Fan& fan, const format::Ring& ring);
+  Residual uvResidual(uint32_t set, uint32_t parent, uint32_t a, uint32_t b,
+                      const format::RingNeighbours& neighbours) const;
   Residual directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
-                             const format::RingNeighbours& ring) const;
-  format::Int2 direction(uint32_t hierarchy_wedge, uint32_t at) const {
+                             const format::RingNeighbours& neighbours) const;
+  format::Int2 pairAt(uint32_t hierarchy_wedge, uint32_t at) const {
     return {attributes(hierarchy_wedge)[at], attributes(hierarchy_wedge)[at + 1]};
   }
   bool isPredicted(uint32_t node, const format::Fan& fan) const;
   uint32_t cornerWedge(uint32_t corner) const { return cut_.face_wedges[corner / 3][corner % 3]; }
-  format::RingNeighbours ringOf(uint32_t node, uint32_t wedge, const Plan& plan, const format::Fan& fan) const;
+  uint32_t neighbourWedge(const format::Fan& fan, uint32_t i, uint32_t step) const {
+    return cut_.face_wedges[fan.corner[i] / 3][(fan.corner[i] % 3 + 1 + step) % 3];
+  }
+  format::RingNeighbours neighboursOf(uint32_t node, uint32_t wedge, const Plan& plan, const format::Fan& fan,
+                                      const format::Ring& ring) const;
   format::Int2 normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan,
                                 const format::OctahedralChart& chart) const;
   format::Int3 filePosition(uint32_t node) const { return positionOf(cut_.node_hierarchy[node]); }

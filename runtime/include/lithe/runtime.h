@@ -5,7 +5,8 @@
  * every level; chooses the level of every instance by its error on screen, and fills indirect draws.
  *
  * The host owns memory, input/output, time, threads and the GPU. Nothing here reads files, takes locks, starts threads,
- * looks at a clock or keeps global state; nothing allocates after lithe_asset_open except lithe_asset_supply.
+ * looks at a clock or keeps global state; nothing allocates after lithe_asset_open except lithe_asset_supply and
+ * lithe_asset_reserve.
  *
  * Words: a *node* is a vertex of some level (position and skin); a *wedge* is one GPU vertex: a node plus normal,
  * tangent, uvs and colours. A *split* replaces a node by its two children. A *level* is a complete mesh; level 0 is the
@@ -14,7 +15,8 @@
  * indices, and never changes what a frame in flight may be reading.
  *
  * Threads: an asset may be read (every function taking `const lithe_asset*`) by any number of threads at once.
- * lithe_asset_supply, lithe_asset_evict and lithe_asset_close need it alone. Different assets are independent.
+ * lithe_asset_supply, lithe_asset_reserve, lithe_asset_evict and lithe_asset_close need it alone. Different assets are
+ * independent.
  *
  * Errors: bytes are hostile, callers are friends. A damaged file gives LITHE_ERROR_* and leaves the object as it was;
  * it never makes the runtime read or write out of bounds, loop, or allocate beyond what the checked header states. A
@@ -195,8 +197,14 @@ typedef struct lithe_request {
 LITHE_NODISCARD LITHE_API lithe_result lithe_asset_next_request(const lithe_asset* asset, uint32_t level,
                                                                 lithe_request* request);
 
-/* Bytes that supply will hold in all when the level is resident (its scratch included while it runs). */
+/* The most bytes that supply will hold on the way to a level, its scratch included; with lithe_asset_reserve fewer. */
 LITHE_API uint64_t lithe_asset_memory(const lithe_asset* asset, uint32_t level);
+
+/* Makes room for a level at once, for a host that knows which one it will ask for: on the way there supply allocates
+ * nothing but its scratch, and no array is moved. Without it the arrays grow level by level, each new block beside the
+ * one that it replaces. What evict gives back it gives back all the same.
+ * returns LITHE_OK; LITHE_ERROR_OUT_OF_MEMORY: what has been made room for so far is kept, and supply goes on as it can */
+LITHE_NODISCARD LITHE_API lithe_result lithe_asset_reserve(lithe_asset* asset, uint32_t level);
 
 /* Takes a page: checks it, decodes it, appends its nodes, wedges and faces. The bytes may go when this returns.
  * page          must be the one lithe_asset_next_request names; one that was supplied before is ignored (LITHE_OK)
@@ -282,7 +290,7 @@ LITHE_NODISCARD LITHE_API lithe_result lithe_asset_write_morph_sources(const lit
 /* Read-only views into the asset, valid until the next supply, evict or close. Structure of arrays. */
 typedef struct lithe_hierarchy {
   uint32_t node_count, wedge_count, face_count; /* resident */
-  const int32_t* node_position;     /* 3 per node, grid coordinates: bind space = grid_origin + grid_step * value */
+  const uint16_t* node_position;    /* 3 per node, grid coordinates: bind space = grid_origin + grid_step * value */
   const uint32_t* node_parent;      /* LITHE_NO_INDEX for a root; ids grow from coarse to fine */
   const uint32_t* node_first_child; /* the two children are this and this + 1; LITHE_NO_INDEX for a leaf (so far) */
   const uint32_t* wedge_node;

@@ -124,6 +124,7 @@ class Asset {
                               lithe_diagnosis* diagnosis = nullptr) {
     return static_cast<Result>(lithe_asset_supply(asset_, page, bytes.data, bytes.size, diagnosis));
   }
+  [[nodiscard]] Result reserve(std::uint32_t level) { return static_cast<Result>(lithe_asset_reserve(asset_, level)); }
   [[nodiscard]] Result evict(std::uint32_t level) { return static_cast<Result>(lithe_asset_evict(asset_, level)); }
   std::uint64_t memory(std::uint32_t level) const { return lithe_asset_memory(asset_, level); }
   std::uint32_t residentLevel() const { return lithe_asset_resident_level(asset_); }

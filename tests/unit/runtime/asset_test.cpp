@@ -285,7 +285,11 @@ void expectTruncated(const HandMade& hand, const lithe_asset* asset, uint32_t le
   for (uint32_t n = 0; n < l.node_count; ++n) {
     const uint32_t child = hand.nodes[n].first_child;
     ASSERT_EQ(d.node_first_child[n], child < l.node_count ? child : LITHE_NO_INDEX);
-    ASSERT_EQ(std::memcmp(&d.node_skin[n], &hand.nodes[n].skin, sizeof(runtime::NodeSkin)), 0);
+    const runtime::NodeSkin& skin = hand.nodes[n].skin;
+    const runtime::SkinRecord kept = runtime::skinOf(d, n, hand.widths().influences);
+    ASSERT_EQ(kept.count(), skin.count);
+    ASSERT_TRUE(std::equal(kept.joint, kept.joint + skin.count, skin.joint));
+    ASSERT_TRUE(std::equal(kept.weight, kept.weight + skin.count, skin.weight));
     uint32_t listed = 0;
     for (uint32_t c = d.node_first_corner[n]; c != LITHE_NO_INDEX; c = d.corner_next[c], ++listed)
       ASSERT_EQ(d.wedge_node[d.face_wedges[c]], n);
@@ -294,17 +298,52 @@ void expectTruncated(const HandMade& hand, const lithe_asset* asset, uint32_t le
   ASSERT_EQ(d.node_first_wedge[l.node_count], l.wedge_count);
 }
 
+TEST(Reserve, MakesRoomOnceAndEvictGivesItBack) {
+  const HandMade hand({}, 4);
+  FailingAllocator memory;
+  const auto asset = hand.open(memory.get(), false);
+  const size_t opened = memory.bytes;
+  const auto held = [&](uint32_t level) {
+    return opened + runtime::decodedBytes(runtime::countsOf(*asset, level), hand.widths());
+  };
+  ASSERT_EQ(lithe_asset_reserve(asset.get(), 3), LITHE_OK);
+  EXPECT_EQ(memory.bytes, held(3));
+  EXPECT_EQ(memory.peak, held(3));
+  const size_t calls = memory.calls;
+  ASSERT_EQ(lithe_asset_reserve(asset.get(), 1), LITHE_OK) << "there is room for it";
+  EXPECT_EQ(memory.calls, calls);
+  EXPECT_EQ(lithe_asset_resident_level(asset.get()), LITHE_NO_LEVEL);
+  ASSERT_EQ(lithe_asset_evict(asset.get(), 1), LITHE_OK);
+  EXPECT_EQ(memory.bytes, held(1));
+}
+
+TEST(Reserve, ReportsWhatItCannotHave) {
+  const HandMade hand({}, 4);
+  for (size_t failing = 0; failing < 4; ++failing) {
+    FailingAllocator memory;
+    auto asset = hand.open(memory.get(), false);
+    memory.fail_at = memory.calls + failing;
+    ASSERT_EQ(lithe_asset_reserve(asset.get(), 3), LITHE_ERROR_OUT_OF_MEMORY);
+    ASSERT_EQ(lithe_asset_reserve(asset.get(), 3), LITHE_OK) << "and goes on where it failed";
+    asset.reset();
+    EXPECT_EQ(memory.bytes, 0u);
+  }
+  const auto asset = hand.open();
+  EXPECT_EQ(lithe_asset_reserve(asset.get(), 4), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(lithe_asset_reserve(nullptr, 0), LITHE_ERROR_INVALID_ARGUMENT);
+}
+
 TEST(Evict, TakesTheArraysBackToTheLevelAndGivesMemoryBack) {
   for (uint64_t seed = 1; seed <= 10; ++seed) {
     const HandMade hand({}, seed);
     FailingAllocator memory;
     auto asset = hand.open(memory.get());
-    const size_t opened = memory.bytes - runtime::decodedBytes(runtime::countsOf(*asset, 3), hand.stride());
+    const size_t opened = memory.bytes - runtime::decodedBytes(runtime::countsOf(*asset, 3), hand.widths());
     for (uint32_t level = 4; level-- > 0;) {
       ASSERT_EQ(lithe_asset_evict(asset.get(), level), LITHE_OK);
       EXPECT_EQ(lithe_asset_resident_level(asset.get()), level);
       expectTruncated(hand, asset.get(), level);
-      EXPECT_EQ(memory.bytes - opened, runtime::decodedBytes(runtime::countsOf(*asset, level), hand.stride()));
+      EXPECT_EQ(memory.bytes - opened, runtime::decodedBytes(runtime::countsOf(*asset, level), hand.widths()));
     }
     asset.reset();
     EXPECT_EQ(memory.bytes, 0u);
@@ -381,7 +420,7 @@ TEST(Memory, GrowsWithTheLevelAndCoversTheArrays) {
   for (uint32_t level = 0; level < 4; ++level) {
     const uint64_t bytes = lithe_asset_memory(asset.get(), level);
     EXPECT_GT(bytes, coarser);
-    EXPECT_GT(bytes, runtime::decodedBytes(runtime::countsOf(*asset, level), hand.stride()));
+    EXPECT_GT(bytes, runtime::decodedBytes(runtime::countsOf(*asset, level), hand.widths()));
     coarser = bytes;
   }
 }

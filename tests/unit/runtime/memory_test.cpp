@@ -10,15 +10,16 @@
 namespace lithe::runtime {
 namespace {
 
-constexpr uint32_t kStride = 7;
+constexpr uint32_t kStride = 7, kSkin = 2 * 3;
+constexpr RecordWidths kWidths{kStride, kSkin / 2};
 
 void fill(Decoded* d, const Counts& counts, uint32_t seed) {
   d->node_count = counts.nodes, d->wedge_count = counts.wedges, d->face_count = counts.faces;
   d->hidden_count = counts.hidden;
   for (uint32_t i = 0; i < counts.nodes; ++i) {
-    d->node_position[3 * i + 2] = static_cast<int32_t>(i + seed);
+    d->node_position[3 * i + 2] = static_cast<uint16_t>(i + seed);
     d->node_parent[i] = i + seed + 1, d->node_first_child[i] = i + seed + 2, d->node_first_wedge[i] = i + seed + 3;
-    d->node_first_corner[i] = i + seed + 4, d->node_skin[i].weight[7] = static_cast<uint16_t>(i + seed);
+    d->node_first_corner[i] = i + seed + 4, d->node_skin[kSkin * i + kSkin - 1] = static_cast<uint16_t>(i + seed);
   }
   if (counts.nodes) d->node_first_wedge[counts.nodes] = seed;
   for (uint32_t i = 0; i < counts.wedges; ++i) {
@@ -31,12 +32,12 @@ void fill(Decoded* d, const Counts& counts, uint32_t seed) {
 
 void expectFilled(const Decoded& d, const Counts& counts, uint32_t seed) {
   for (uint32_t i = 0; i < counts.nodes; ++i) {
-    ASSERT_EQ(d.node_position[3 * i + 2], static_cast<int32_t>(i + seed));
+    ASSERT_EQ(d.node_position[3 * i + 2], static_cast<uint16_t>(i + seed));
     ASSERT_EQ(d.node_parent[i], i + seed + 1);
     ASSERT_EQ(d.node_first_child[i], i + seed + 2);
     ASSERT_EQ(d.node_first_wedge[i], i + seed + 3);
     ASSERT_EQ(d.node_first_corner[i], i + seed + 4);
-    ASSERT_EQ(d.node_skin[i].weight[7], static_cast<uint16_t>(i + seed));
+    ASSERT_EQ(d.node_skin[kSkin * i + kSkin - 1], static_cast<uint16_t>(i + seed));
   }
   if (counts.nodes) {
     ASSERT_EQ(d.node_first_wedge[counts.nodes], seed);
@@ -66,23 +67,23 @@ TEST(Arrays, KeepTheirEntriesThroughGrowingShrinkingAndFailing) {
       const Counts next = {held.nodes + random.below(20), held.wedges + random.below(30), held.faces + random.below(9),
                            held.hidden + random.below(3)};
       memory.fail_at = random.below(2) ? memory.calls + random.below(5) : SIZE_MAX;
-      const bool grown = reserveDecoded(allocator, next, kStride, &d);
+      const bool grown = reserveDecoded(allocator, next, kWidths, &d);
       ASSERT_EQ(grown, memory.fail_at >= memory.calls);
       expectFilled(d, held, trial + step);
       memory.fail_at = SIZE_MAX;
       if (random.below(3) == 0) {
         const Counts exact = held;
-        shrinkDecoded(allocator, exact, kStride, &d);
+        shrinkDecoded(allocator, exact, kWidths, &d);
         expectFilled(d, held, trial + step);
-        ASSERT_EQ(memory.bytes, decodedBytes(exact, kStride));
+        ASSERT_EQ(memory.bytes, decodedBytes(exact, kWidths));
       }
-      ASSERT_TRUE(reserveDecoded(allocator, next, kStride, &d));
+      ASSERT_TRUE(reserveDecoded(allocator, next, kWidths, &d));
       fill(&d, next, trial + step + 1);
       held = next;
     }
     ASSERT_EQ(memory.bytes,
-              decodedBytes({d.node_capacity, d.wedge_capacity, d.face_capacity, d.hidden_capacity}, kStride));
-    freeDecoded(allocator, kStride, &d);
+              decodedBytes({d.node_capacity, d.wedge_capacity, d.face_capacity, d.hidden_capacity}, kWidths));
+    freeDecoded(allocator, kWidths, &d);
     ASSERT_EQ(memory.bytes, 0u);
     ASSERT_EQ(d.node_capacity, 0u);
   }
@@ -93,11 +94,11 @@ TEST(Arrays, GrowOneBlockAtATime) {
   const lithe_allocator allocator = memory.get();
   Decoded d = {};
   const Counts small = {100, 150, 190, 10}, large = {1000, 1500, 1900, 100};
-  ASSERT_TRUE(reserveDecoded(allocator, small, kStride, &d));
+  ASSERT_TRUE(reserveDecoded(allocator, small, kWidths, &d));
   fill(&d, small, 0);
-  ASSERT_TRUE(reserveDecoded(allocator, large, kStride, &d));
-  EXPECT_LE(memory.peak, decodedBytes(large, kStride) + largestBlock(small, kStride));
-  freeDecoded(allocator, kStride, &d);
+  ASSERT_TRUE(reserveDecoded(allocator, large, kWidths, &d));
+  EXPECT_LE(memory.peak, decodedBytes(large, kWidths) + largestBlock(small, kWidths));
+  freeDecoded(allocator, kWidths, &d);
 }
 
 TEST(Blocks, BeyondTheAddressSpaceAreRefusedUnasked) {

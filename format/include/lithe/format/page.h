@@ -248,39 +248,53 @@ struct Ring {
   uint32_t vertex[kMaxRing + 1];
 };
 
-/// Orders a fan. A closed ring begins with the fan's first corner, an open one at its open end. Irregular: no corners,
-/// more than kMaxRing, a vertex left or entered twice, or more than one chain.
-inline void buildRing(const Fan& fan, Ring& ring) {
-  ring.kind = RingKind::kIrregular;
-  ring.count = fan.count;
-  const uint32_t n = fan.count;
-  if (n == 0 || n > kMaxRing) return;
-  uint8_t follower[kMaxRing], preceded[kMaxRing];
-  for (uint32_t i = 0; i < n; ++i) follower[i] = kMaxRing, preceded[i] = 0;
-  for (uint32_t i = 0; i < n; ++i) {
-    for (uint32_t j = 0; j < n; ++j) {
-      if (fan.previous[i] != fan.next[j]) {
-        if (i < j && (fan.next[i] == fan.next[j] || fan.previous[i] == fan.previous[j])) return;
-        continue;
-      }
-      if (follower[i] != kMaxRing || preceded[j]) return;
-      follower[i] = static_cast<uint8_t>(j);
-      preceded[j] = 1;
-    }
-  }
-  uint32_t start = 0, open_ends = 0;
-  for (uint32_t i = 0; i < n; ++i)
-    if (!preceded[i]) start = i, ++open_ends;
-  if (open_ends > 1) return;
+/// The first edge that begins where edge i ends, or the fan's count.
+inline uint32_t edgeAfter(const Fan& fan, uint32_t i) {
+  uint32_t j = 0;
+  while (j < fan.count && fan.next[j] != fan.previous[i]) ++j;
+  return j;
+}
+
+/// Goes on from an edge until there is no next one or it is back; returns where it stands then: an edge, or the fan's
+/// count. Fills the ring as far as it comes, at most to the fan's count.
+inline uint32_t walkRing(const Fan& fan, uint32_t start, Ring& ring) {
   uint32_t at = start, length = 0;
   do {
     ring.edge[length] = static_cast<uint8_t>(at);
     ring.vertex[length] = fan.next[at];
     ring.vertex[++length] = fan.previous[at];
-    at = follower[at];
-  } while (at != kMaxRing && at != start && length < n);
-  if (length != n) return;
-  ring.kind = open_ends ? RingKind::kOpen : RingKind::kClosed;
+    at = edgeAfter(fan, at);
+  } while (at != fan.count && at != start && length < fan.count);
+  ring.count = length;
+  return at;
+}
+
+/// The edge before which there is none, going back from the fan's first; the fan's count when it goes round.
+inline uint32_t openEnd(const Fan& fan) {
+  uint32_t at = 0;
+  for (uint32_t step = 0; step < fan.count; ++step) {
+    uint32_t before = 0;
+    while (before < fan.count && fan.previous[before] != fan.next[at]) ++before;
+    if (before == fan.count) return at;
+    at = before;
+  }
+  return fan.count;
+}
+
+/// Orders a fan. A closed ring begins with the fan's first corner, an open one at its open end. Irregular: no corners,
+/// more than kMaxRing, a vertex left or entered twice, or more than one chain.
+inline void buildRing(const Fan& fan, Ring& ring) {
+  ring.kind = RingKind::kIrregular;
+  const uint32_t n = ring.count = fan.count;
+  if (n == 0 || n > kMaxRing) return;
+  // A walk goes on to the first edge that begins where the last one ended: one that comes past all edges has met no
+  // vertex twice, since a second edge at a vertex is never gone on to.
+  if (walkRing(fan, 0, ring) == 0 && ring.count == n) {
+    ring.kind = RingKind::kClosed;
+  } else if (const uint32_t start = openEnd(fan); start != n) {
+    if (walkRing(fan, start, ring) == n && ring.count == n) ring.kind = RingKind::kOpen;
+  }
+  ring.count = n;
 }
 
 }  // namespace lithe::format

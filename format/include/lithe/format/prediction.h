@@ -13,9 +13,13 @@ namespace lithe::format {
 
 /// Number of bits of v >= 0: 0 for 0, 1 for 1, 2 for 2 and 3, ...
 constexpr int32_t bitLength(uint64_t v) {
+#if defined(__GNUC__)
+  return v ? 64 - __builtin_clzll(v) : 0;
+#else
   int32_t bits = 0;
   for (; v; v >>= 1) ++bits;
   return bits;
+#endif
 }
 
 /// floor(a / b) for b > 0.
@@ -53,6 +57,7 @@ constexpr int32_t gradientShift(uint32_t extent) {
 
 constexpr Int3 shifted(Int3 v, int32_t shift) { return {v.x >> shift, v.y >> shift, v.z >> shift}; }
 constexpr Int3 minus(Int3 a, Int3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Int3 doubled(Int3 v) { return {2 * v.x, 2 * v.y, 2 * v.z}; }
 
 /// M, of at most 2^7 shifted positions.
 struct GradientSums {

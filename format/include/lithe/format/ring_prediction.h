@@ -15,7 +15,7 @@ namespace lithe::format {
 struct RingNeighbours {
   uint32_t count = 0;
   uint32_t wedge[2 * kMaxRing];
-  Int3 r[2 * kMaxRing];  ///< relative to the split node, shifted
+  Int3 r[2 * kMaxRing];  ///< relative to the split node, shifted; twice that for a wedge that is at two corners
   Gradient gradient;
 
   /// Of an attribute: value(wedge) is the neighbour's less the parent's. Nothing is known without neighbours.
@@ -26,7 +26,7 @@ struct RingNeighbours {
     return gradient.of(moment);
   }
 
-  /// Of a direction: point(wedge) is the neighbour's in the chart around the parent's, which is at `parent`.
+  /// Of a pair of attributes: point(wedge) is the neighbour's, the parent's is `parent`.
   template <class Point>
   void slopesOf(const Point& point, Int2 parent, Slope slope[2]) const {
     Moment moment[2];
@@ -40,28 +40,41 @@ struct RingNeighbours {
 };
 
 /// Of the fan's corners for whose index includes(i) is true; a fan beyond kMaxRing has none.
-/// center    of the split node; position(node) gives the others
+/// center    of the split node
 /// d         the difference of the children's positions
 /// extent    of the ring and of d
-/// wedge_at  (corner id) -> wedge
+/// position  (index in the fan, 0: next corner, 1: previous corner) -> the node's
+/// wedge_at  the same -> wedge
 template <class Includes, class Position, class WedgeAt>
-void gatherNeighbours(const Fan& fan, Int3 center, Int3 d, uint32_t extent, const Includes& includes,
+void gatherNeighbours(const Fan& fan, const Ring& ring, Int3 center, Int3 d, uint32_t extent, const Includes& includes,
                       const Position& position, const WedgeAt& wedge_at, RingNeighbours& out) {
   out.count = 0;
   out.gradient = {};
   if (fan.count > kMaxRing) return;
   const int32_t shift = gradientShift(extent);
   GradientSums sums;
-  for (uint32_t i = 0; i < fan.count; ++i) {
-    if (!includes(i)) continue;
-    const uint32_t k = fan.corner[i] % 3, first = fan.corner[i] - k;
-    const uint32_t nodes[2] = {fan.next[i], fan.previous[i]};
-    for (uint32_t step = 0; step < 2; ++step) {
-      const Int3 r = shifted(minus(position(nodes[step]), center), shift);
-      out.wedge[out.count] = wedge_at(first + (k + 1 + step) % 3);
+  // Along a ring an edge ends where the next one begins: mostly in one wedge, which is then added once for both.
+  const bool ordered = ring.kind != RingKind::kIrregular;
+  const uint32_t first = ordered ? ring.edge[0] : 0;
+  bool follows = false;
+  for (uint32_t e = 0; e < fan.count; ++e) {
+    const uint32_t i = ordered ? ring.edge[e] : e;
+    const bool included = includes(i), last = ring.kind == RingKind::kClosed && e + 1 == fan.count;
+    for (uint32_t step = 0; step < 2 && included; ++step) {
+      const uint32_t wedge = wedge_at(i, step);
+      const bool meets = step == 0 ? follows : last && includes(first);
+      const uint32_t other = step == 0 ? out.count - 1 : 0;
+      if (meets && out.wedge[other] == wedge) {
+        sums.add(out.r[other]);
+        out.r[other] = doubled(out.r[other]);
+        continue;
+      }
+      const Int3 r = shifted(minus(position(i, step), center), shift);
+      out.wedge[out.count] = wedge;
       out.r[out.count++] = r;
       sums.add(r);
     }
+    follows = ordered && included;
   }
   out.gradient = solveGradient(sums, shifted(d, shift));
 }
@@ -71,13 +84,13 @@ struct ChildNormals {
   Int3 child[2];
   AreaNormal normal[2];
 
-  /// Those of the fan for whose index includes(i) is true.
+  /// Those of the fan for whose index includes(i) is true; position as in gatherNeighbours.
   template <class Includes, class AtB, class Position>
   void addFan(const Fan& fan, const Includes& includes, const AtB& at_b, const Position& position) {
     for (uint32_t i = 0; i < fan.count; ++i) {
       if (!includes(i)) continue;
       const uint32_t side = at_b[i] ? 1 : 0;
-      normal[side].add(child[side], position(fan.next[i]), position(fan.previous[i]));
+      normal[side].add(child[side], position(i, 0), position(i, 1));
     }
   }
 
