@@ -9,7 +9,7 @@
 # Groups: build    compiler, CMake and the bake's libraries; enough for the library, the tool and the tests
 #         display  EGL and OpenGL (software rendering included) for the samples that draw
 #         check    clang, its sanitizer and fuzzer runtimes, clang-format; only .ci/run uses them
-#         ruler    MeshLab, which `lithe compare` is held against, and a display for it; only .ci/run uses them
+#         ruler    what lithe is held against: MeshLab and a display for it, Python 3 for the second reader; only .ci/run uses them
 # A group whose packages are all there costs nothing and needs no network.
 
 lithe_packages_of() {
@@ -20,7 +20,7 @@ lithe_packages_of() {
         libgtest-dev libbenchmark-dev ;;
     display) echo libegl-dev libegl1 libgl-dev libopengl-dev libgl1-mesa-dri libglfw3-dev ;;
     check) echo clang clang-format libclang-rt-14-dev ;;
-    ruler) echo meshlab xvfb xauth ;;
+    ruler) echo meshlab xvfb xauth python3 ;;
     *) echo "scripts/packages.sh: no group named '$1' (build, display, check, ruler)" >&2; return 1 ;;
   esac
 }

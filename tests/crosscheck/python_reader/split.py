@@ -1,0 +1,220 @@
+# SPDX-FileCopyrightText: 2026 the lithe authors
+# SPDX-License-Identifier: MIT
+"""One split: sides of its fan, positions of its children, new faces (docs/format.md, sections 4.1 to 4.3 and 4.5)."""
+from attribute_split import split_wedges
+from integers import between, cross, from_plane, largest, low_bits, minus, plus, predicted
+from page_streams import CLASS_PICKS, CUT_3, CUT_9, CUT_OPEN, GENERAL, MEMBER_PICKS, SPLIT, THIRD_PICKS
+from refused import demand
+from ring import CLOSED, IRREGULAR, MAX_RING, OPEN, Fan
+from skin_split import split_skin
+from slope import RingSlope
+
+A, B = 0, 1
+LISTED = 2
+MAX_PREDICTED_WEDGES = 8
+
+
+class NewFace:
+    """A face (first child, c, other child). A ring's face knows its cut vertex, a list's face does not."""
+
+    def __init__(self, first, c, vertex=None):
+        self.first, self.c, self.vertex = first, c, vertex
+
+
+class Split:
+    """What is known of the split of node `index` while it is read from `page`."""
+
+    def __init__(self, hierarchy, page, index, entry):
+        self.hierarchy, self.page, self.index, self.entry = hierarchy, page, index, entry
+        self.node = hierarchy.nodes[index]
+        self.fan = Fan(hierarchy, index)
+        size = max(len(self.fan.spokes), len(self.node.wedges))
+        demand(size <= entry.max_fan, 81, "a node's fan or wedges exceed max_fan")
+        self.ring_nodes = [node for spoke in self.fan.spokes for node, _ in spoke.neighbours()]
+        self.ring_positions = [hierarchy.nodes[node].position for node in self.ring_nodes]
+        self.extent = self.measure_extent()
+        self.predicts_skins = len(self.fan.spokes) <= MAX_RING
+        self.predicts_attributes = self.predicts_skins and len(self.node.wedges) <= MAX_PREDICTED_WEDGES
+        self.all_slope = None
+
+    def measure_extent(self):
+        points = [self.node.position, *self.ring_positions]
+        return max(max(values) - min(values) for values in zip(*points))
+
+    def skin_slope(self):
+        """The slope over all of the fan's corners."""
+        if self.all_slope is None:
+            self.all_slope = RingSlope(self.node.position, self.ring_positions, self.extent, self.d)
+        return self.all_slope
+
+    def carry_out(self):
+        """Reads everything and adds the children, their wedges and faces."""
+        t8, *rest = self.page.streams[SPLIT].row()
+        lattice, (mode, skin_mode), position = rest[:3], rest[3:5], rest[5:]
+        demand(t8 <= 8 and mode <= LISTED and skin_mode <= 2, 72, "t8, mode or skin mode is out of range")
+        self.t8 = t8
+        self.read_sides(mode)
+        self.place(lattice, position)
+        hierarchy = self.hierarchy
+        self.children = [hierarchy.add_node(point, [], 73) for point in self.points]
+        self.node.children = tuple(self.children)
+        self.classes = split_wedges(self)
+        room = self.entry.face_count - len(hierarchy.faces)
+        demand(len(self.new_faces) <= room, 82, "there are more faces than the page's")
+        self.move_corners()
+        for face in self.new_faces:
+            self.add_face(face)
+        for face in self.listed_faces():
+            self.add_face(face)
+        for child, skin in zip(self.children, split_skin(self.page, self, skin_mode)):
+            hierarchy.nodes[child].skin = skin
+
+    # Section 4.2
+
+    def read_sides(self, mode):
+        """The side of each spoke, and the new faces of a ring."""
+        kind = self.fan.kind
+        fits = mode == 0 if kind == IRREGULAR else mode in (0, LISTED) or kind == OPEN
+        demand(fits, 72, "the mode does not fit the ring")
+        self.new_faces, self.listed_count = [], 0
+        if kind == IRREGULAR or mode == LISTED:
+            self.read_list()
+        elif kind == OPEN and mode == 0:
+            self.cut_at(self.page.streams[CUT_OPEN].value())
+        else:
+            edges = len(self.fan.order)
+            stream = CUT_OPEN if kind == OPEN else min(CUT_9, CUT_3 + max(0, edges - 3))
+            self.cut_between(*self.pair(self.page.streams[stream].value()))
+
+    def pair(self, number):
+        q = 1
+        while q * (q + 1) // 2 <= number:
+            q += 1
+            demand(q < len(self.fan.vertices()), 74, "a pair is not in the ring")
+        demand(q < len(self.fan.vertices()), 74, "a pair is not in the ring")
+        return number - q * (q - 1) // 2, q
+
+    def ring_face(self, first, vertex):
+        self.new_faces.append(NewFace(first, self.fan.vertices()[vertex], vertex))
+
+    def set_sides(self, is_at_a):
+        self.sides = [B] * len(self.fan.spokes)
+        for edge, spoke in enumerate(self.fan.order):
+            self.sides[spoke] = A if is_at_a(edge) else B
+
+    def cut_at(self, p):
+        demand(p < len(self.fan.vertices()), 74, "a cut vertex is not in the ring")
+        self.set_sides(lambda edge: edge < p)
+        self.ring_face(A, p)
+
+    def cut_between(self, p, q):
+        if p == 0 and self.fan.kind == CLOSED:
+            self.set_sides(lambda edge: edge < q)
+            self.ring_face(B, 0)
+            self.ring_face(A, q)
+        else:
+            self.set_sides(lambda edge: not p <= edge < q)
+            self.ring_face(A, p)
+            self.ring_face(B, q)
+
+    def read_list(self):
+        general = self.page.streams[GENERAL]
+        self.sides = [A] * len(self.fan.spokes)
+        at = -1
+        for _ in range(general.value()):
+            at += general.value() + 1
+            demand(at < len(self.sides), 75, "a list names corners beyond the fan")
+            self.sides[at] = B
+        self.listed_count = general.value()
+        room = self.entry.face_count - len(self.hierarchy.faces)
+        demand(self.listed_count <= room, 75, "a list has more faces than the page")
+
+    def listed_faces(self):
+        """The faces of a list, read one at a time as they are added."""
+        general, neighbours = self.page.streams[GENERAL], self.fan.neighbours()
+        for _ in range(self.listed_count):
+            first, rank = general.value(), general.value()
+            demand(first in (A, B) and rank <= len(neighbours), 75, "a rank or an orientation is out of range")
+            yield NewFace(first, neighbours[rank - 1] if rank else self.stated_node())
+
+    def stated_node(self):
+        high, low = (self.page.streams[GENERAL].value() for _ in range(2))
+        demand(max(high, low) < 1 << 16, 75, "a node's number has too many bits")
+        return high << 16 | low
+
+    def makes_faces(self):
+        return len(self.new_faces) + self.listed_count > 0
+
+    # Section 4.3
+
+    def side_sums(self, side):
+        """S and N of one side."""
+        points = [point for at, point in enumerate(self.ring_positions) if self.sides[at // 2] == side]
+        return tuple(map(sum, zip(*points))) if points else (0, 0, 0), len(points)
+
+    def area_normal(self):
+        normal = (0, 0, 0)
+        for following, previous in zip(self.ring_positions[::2], self.ring_positions[1::2]):
+            normal = plus(normal, cross(minus(following, self.node.position), minus(previous, self.node.position)))
+        return normal
+
+    def read_d(self, position):
+        parameters, page = self.page.parameters, self.page
+        in_plane = [page.split_value(high, low_bits(self.extent, parameters.position_bias)) for high in position[:2]]
+        height = page.split_value(position[2], low_bits(self.extent, parameters.height_bias))
+        demand(largest(in_plane) < 1 << 18, 73, "R is too large")
+        (sum_a, count_a), (sum_b, count_b) = self.side_sums(A), self.side_sums(B)
+        prediction = [predicted(parameters.position_mean, a * count_b - b * count_a, count_a * count_b)
+                      for a, b in zip(sum_a, sum_b)]
+        return plus(from_plane(self.area_normal(), in_plane, height), prediction)
+
+    def place(self, lattice, position):
+        """D and the children's positions."""
+        self.d = self.read_d(position)
+        demand(largest(self.d) < self.hierarchy.info.grid_size, 73, "D is beyond the grid")
+        k = from_plane(self.d, lattice[:2], lattice[2])
+        length = largest(self.d) >> self.hierarchy.info.placement_shift
+        step = 1 << max(0, length.bit_length() - 1)
+        b = tuple(w - factor * step - between(d, self.t8) for w, factor, d in zip(self.node.position, k, self.d))
+        self.points = plus(b, self.d), b
+
+    # Section 4.5
+
+    def pick_member(self, wedges):
+        """One of a class's wedges at a child."""
+        demand(len(wedges) > 0, 77, "a class has no wedge where a corner needs one")
+        pick = self.page.streams[MEMBER_PICKS].value() if len(wedges) > 1 else 0
+        demand(pick < len(wedges), 77, "a pick is out of range")
+        return wedges[pick]
+
+    def move_corners(self):
+        hierarchy = self.hierarchy
+        for spoke, side in zip(self.fan.spokes, self.sides):
+            members = self.classes[spoke.wedge - self.node.wedges.start].members[side]
+            hierarchy.faces[spoke.corner // 3][spoke.corner % 3] = self.pick_member(members)
+            hierarchy.nodes[self.children[side]].corners.append(spoke.corner)
+        self.node.corners = []
+
+    def pick_or_guess(self, stream, guess, count):
+        """A value of a stream: 0 is the guess, i + 1 is i."""
+        value = self.page.streams[stream].value()
+        demand(value <= count and (value > 0 or guess is not None), 77, "a pick is out of range")
+        return value - 1 if value else guess
+
+    def add_face(self, face):
+        hierarchy = self.hierarchy
+        exists = face.c < len(hierarchy.nodes) and hierarchy.nodes[face.c].children is None
+        demand(exists and face.c not in self.children, 78, "a new face's third node is not in the cut")
+        third = hierarchy.nodes[face.c].wedges
+        class_guess = third_guess = None
+        if face.vertex is not None:
+            spoke, wedge = self.fan.guess_at(face.vertex)
+            class_guess, third_guess = spoke.wedge - self.node.wedges.start, wedge - third.start
+        index = self.pick_or_guess(CLASS_PICKS, class_guess, len(self.classes)) if len(self.classes) > 1 else 0
+        members = self.classes[index].members
+        first = self.pick_member(members[face.first])
+        last = self.pick_member(members[1 - face.first])
+        pick = self.pick_or_guess(THIRD_PICKS, third_guess, len(third)) if len(third) > 1 else 0
+        wedges = [first, third[pick], last]
+        demand(len({hierarchy.wedges[wedge].part for wedge in wedges}) == 1, 77, "a face would mix parts")
+        hierarchy.add_face(wedges)
