@@ -577,6 +577,22 @@ TEST(PageCheck, N79_NewJointThatIsNotThere) {
   expectRefusedAfter(richFile(), page, 79, [](PageEditor& e) { e.values(kSkinNew)[1] = 5; });
 }
 
+TEST(PageCheck, N79_NewJointTwice) {
+  uint32_t tried = 0;
+  for (uint32_t page = 1; page < pageCount(LitheFile(richFile())); ++page) {
+    LitheFile unchanged(richFile());
+    const std::vector<int32_t> news = PageEditor(unchanged, page).values(kSkinNew);
+    for (size_t at = 0; at < news.size(); at += 1 + static_cast<size_t>(news[at])) {
+      if (news[at] < 2) continue;
+      SCOPED_TRACE(page);
+      SCOPED_TRACE(at);
+      ++tried;
+      expectRefusedAfter(richFile(), page, 79, [&](PageEditor& e) { e.values(kSkinNew)[at + 2] = news[at + 1]; });
+    }
+  }
+  EXPECT_GT(tried, 0u);
+}
+
 /// How many records of each stream of a split page a reader may meet at most where that is what the page has: one more
 /// is refused by the table, and not as a leftover.
 bool isFull(PageEditor& e, uint32_t stream) {
