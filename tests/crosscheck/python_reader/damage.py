@@ -1,14 +1,13 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 """Files that are not what they were: cut short, or with a bit turned, and their checksums repaired or not."""
-import random
 import struct
 
 from head_tables import HEADER_BYTES, Header, read_directory
 from lithe_file import LitheFile
 from xxh64 import xxh64
 
-CHECKSUM_AT = 24
+FILE_BYTES_AT, CHECKSUM_AT = 16, 24
 PAGE_CHECKSUM_AT = 8
 
 
@@ -44,18 +43,33 @@ class Original:
         data[at] ^= 1 << bit
         return data
 
+    def page_entry(self, index):
+        return self.page_table.offset + index * self.page_table.record_bytes
+
     def repaired(self, data):
         """The same with checksums that fit."""
         for index, page in enumerate(self.file.pages):
-            at = self.page_table.offset + index * self.page_table.record_bytes + PAGE_CHECKSUM_AT
-            struct.pack_into("<Q", data, at, xxh64(bytes(data[page.offset : page.offset + page.size])))
+            now = data[page.offset : page.offset + page.size]
+            struct.pack_into("<Q", data, self.page_entry(index) + PAGE_CHECKSUM_AT, xxh64(bytes(now)))
+        return self.with_head_checksum(data)
+
+    def with_page(self, index, page):
+        """The file with another page in the place of page `index`, its size and checksums right."""
+        before = self.file.pages[index]
+        data = bytearray(self.data[: before.offset] + page + self.data[before.offset + before.size :])
+        struct.pack_into("<Q", data, FILE_BYTES_AT, len(data))
+        struct.pack_into("<I", data, self.page_entry(index), len(page))
+        struct.pack_into("<Q", data, self.page_entry(index) + PAGE_CHECKSUM_AT, xxh64(page))
+        return self.with_head_checksum(data)
+
+    def with_head_checksum(self, data):
         struct.pack_into("<Q", data, CHECKSUM_AT, 0)
         struct.pack_into("<Q", data, CHECKSUM_AT, xxh64(bytes(data[: self.head_bytes])))
         return bytes(data)
 
-    def places(self, count, seed):
-        """`count` bits of the file, half of them in the head and half in the pages, as (byte, bit)."""
-        source = random.Random(seed)
+    def bits_turned(self, count, source):
+        """`count` repaired files (what was done, bytes), half of them with a bit turned in the head, half in a page."""
         for turn in range(count):
             low, high = (0, self.head_bytes) if turn % 2 else (self.head_bytes, len(self.data))
-            yield source.randrange(low, high), source.randrange(8)
+            at, bit = source.randrange(low, high), source.randrange(8)
+            yield f"bit {bit} of byte {at} turned", self.repaired(self.flipped(at, bit))

@@ -3,8 +3,9 @@
 """Damaged files are refused by the check that docs/format.md states; and where checksums hide the damage, the runtime
 and this reader agree on whether there is a file, and on what is in it.
 
-    refusals.py FILE.lithe FLIPS DUMP_BUFFERS      FLIPS: how many repaired files
+    refusals.py FILE.lithe COUNT DUMP_BUFFERS      COUNT: files with a bit turned, and as many with a value changed
 """
+import random
 import sys
 import tempfile
 from collections import Counter
@@ -13,6 +14,7 @@ from pathlib import Path
 from damage import Original
 from levels import DecodedFile
 from refused import Refused
+from rewrite_page import values_changed
 from runtime_dump import blocks_of, differences, runtime_blocks
 
 STRIDE = 97
@@ -50,30 +52,30 @@ def read_here(data):
         return None, str(refusal)
 
 
-def disagreements(original, program, flips, verdicts):
-    """A line for every repaired file on which the two readers differ; `verdicts` counts ours."""
+def disagreements(files, program, verdicts):
+    """A line for every file (what was done, bytes) on which the two readers differ; `verdicts` counts ours."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "damaged.lithe"
-        for at, bit in original.places(flips, 1):
-            data = original.repaired(original.flipped(at, bit))
+        for done, data in files:
             path.write_bytes(data)
             theirs, their_reason = runtime_blocks(program, path, 0)
             ours, our_reason = read_here(data)
             verdicts[our_reason.split(":")[0] if our_reason else "taken"] += 1
             if (ours is None) != (theirs is None):
-                yield f"bit {bit} of byte {at}: here {our_reason or 'taken'}, runtime {their_reason or 'taken'}"
+                yield f"{done}: here {our_reason or 'taken'}, runtime {their_reason or 'taken'}"
             elif ours is not None:
-                yield from (f"bit {bit} of byte {at}: {line}" for line in differences(ours, theirs))
+                yield from (f"{done}: {line}" for line in differences(ours, theirs))
 
 
-def main(path, flips, program):
+def main(path, count, program):
     original = Original(Path(path).read_bytes())
-    verdicts = Counter()
+    verdicts, source = Counter(), random.Random(1)
     complaints = [*wrong_cuts(original), *wrong_flips(original)]
-    complaints += disagreements(original, program, int(flips), verdicts)
+    complaints += disagreements(original.bits_turned(int(count), source), program, verdicts)
+    complaints += disagreements(values_changed(original, int(count), source), program, verdicts)
     for complaint in complaints:
         print(complaint)
-    print(f"{Path(path).name}: {len(complaints)} complaints; repaired files:",
+    print(f"{Path(path).name}: {len(complaints)} complaints; whole again:",
           ", ".join(f"{count} {verdict}" for verdict, count in sorted(verdicts.items())))
     return 1 if complaints else 0
 
