@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 """One stream of a page: a Draco point cloud, bitstream 2.3, sequential, of GENERIC INT32 attributes (docs/format.md,
-section Streams; for Draco itself its own bitstream specification, sections Rans Decoding and Attributes Decoder).
+section Streams; for rANS Draco's own specification, section Rans Decoding).
 
 Everything that is wrong with a cloud is check 65.
 """

@@ -25,7 +25,7 @@ class Split:
     """What is known of the split of node `index` while it is read from `page`."""
 
     def __init__(self, hierarchy, page, index, entry):
-        self.hierarchy, self.page, self.index, self.entry = hierarchy, page, index, entry
+        self.hierarchy, self.page, self.entry = hierarchy, page, entry
         self.node = hierarchy.nodes[index]
         self.fan = Fan(hierarchy, index)
         size = max(len(self.fan.spokes), len(self.node.wedges))
