@@ -630,7 +630,7 @@ uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
   for (uint32_t i = 0; i < count; ++i) {
     joints[i] = i < parent_count ? parent.joint[i] : static_cast<uint32_t>(news.next());
     if (joints[i] >= format_.joint_count) return kCheckChildSkin;
-    for (uint32_t j = 0; i >= parent.count && j < i; ++j)
+    for (uint32_t j = 0; i >= parent_count && j < i; ++j)
       if (joints[j] == joints[i]) return kCheckChildSkin;
   }
   const int32_t shift = streams_->parameters[format::kSkinShift],
