@@ -24,6 +24,19 @@ cp "$characters/bake.json" bake.json
 [ "$(json bake.json kinds.skin)" = "$(json info.json kinds.skin)" ] || complain "bake reports other kinds of bytes than info"
 [ "$(json bake.json "levels[0].triangles")" = "$(json info.json "levels[0].triangles")" ] || complain "bake reports other levels than info"
 
+# info --bytes: what each kind takes adds up to the file, in groups and in kinds; the rest of the report stays.
+answers 0 "bits/GPU vertex" info "$characters/column.lithe" --bytes
+grep -q '^file ' out || complain "info --bytes prints no sum"
+answers 0 '"bits_per_vertex"' info "$characters/column.lithe" --bytes --json
+cp out bytes.json
+# bytes_at DEPTH: the sum of all "bytes" of costs that are indented by DEPTH blanks
+bytes_at() { awk -v depth="$1" '/^  "costs"/ { inside = 1 } inside && match($0, /^ */) && RLENGTH == depth && /"bytes"/ { sum += $2 } END { print sum }' bytes.json; }
+[ "$(bytes_at 8)" = "$(json info.json bytes)" ] || complain "the groups add up to $(bytes_at 8) bytes"
+[ "$(bytes_at 12)" = "$(json info.json bytes)" ] || complain "the kinds add up to $(bytes_at 12) bytes"
+[ "$(json bytes.json costs.file.bytes)" = "$(json info.json bytes)" ] || complain "info --bytes states another file size"
+[ "$(json bytes.json kinds.skin)" = "$(json info.json kinds.skin)" ] || complain "info --bytes changes the kinds"
+[ "$(json bytes.json costs.groups.tangents.bytes)" = 0 ] || complain "tangents take bytes where there are none"
+
 # verify, alone and against the original.
 answers 0 "all checks passed" verify "$characters/column.lithe"
 answers 0 '"levels"' verify "$characters/column.lithe" --json
@@ -41,7 +54,7 @@ answers 0 "triangles" export "$characters/column.lithe" -o l.gltf --level 0 --js
 [ "$(json out "meshes[0].triangles")" = "$(json info.json "levels[0].triangles")" ] || complain "--level 0 is not level 0"
 answers 0 "triangles" export "$characters/column.lithe" -o all.glb --all-levels --json
 [ "$(json out "meshes[0].triangles")" = 114688 ] || complain "--all-levels does not begin with the finest"
-holds_only . out err json.cmake info.json bake.json t.glb r.glb l.gltf l.bin all.glb
+holds_only . out err json.cmake info.json bytes.json bake.json t.glb r.glb l.gltf l.bin all.glb
 
 # Between two levels that are far apart the splits that matter most come first; in the file's own order it is 4.6e-4.
 answers 0 "" bake "$characters/small.glb" -o far.lithe --levels 0.01 --quiet

@@ -50,6 +50,9 @@ answers 0 "at most 4" info plain.lithe
 bakes bare --poses 4 --attributes normal
 answers 0 "weights (at most 4), normal" info bare.lithe
 answers 0 '"uv_sets": 0' info bare.lithe --json
+answers 0 "" info bare.lithe --bytes --json
+[ "$(json out costs.groups.uvs.bytes)" = 0 ] || complain "uvs take $(json out costs.groups.uvs.bytes) bytes in a file that has none"
+orders 0 "$(json out costs.groups.normals.bytes)" "the bytes of the normals that are kept"
 bakes uvs --poses 4 --attributes normal,uv0
 cmp plain.lithe uvs.lithe || complain "the default attributes are not those the character has"
 bakes levels --poses 4 --levels 0.5,0.2

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-/// `lithe info`: what a file holds, from its tables; no page is decoded.
+/// `lithe info`: what a file holds, from its tables; pages are decoded only to say what each kind of data takes
+/// (--bytes).
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "asset.h"
 #include "command.h"
+#include "file_costs.h"
 #include "page_bytes.h"
 #include "text.h"
 
@@ -17,6 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct InfoOptions {
   std::string file;
+  bool bytes = false;
   bool json = false;
 };
 
@@ -44,6 +47,25 @@ Json partJson(const Asset& asset, uint32_t index) {
   const lithe_part part = asset.part(index);
   Json json{{"name", part.name}, {"material", part.material}};
   if (part.rigid_node != LITHE_NO_INDEX) json["rigid_node"] = asset.node(part.rigid_node).name;
+  return json;
+}
+
+double bitsPer(uint64_t bytes, uint32_t count) { return 8 * static_cast<double>(bytes) / count; }
+
+Json costJson(uint64_t bytes, const FileCosts& costs) {
+  return {{"bytes", bytes},
+          {"bits_per_vertex", bitsPer(bytes, costs.vertices)},
+          {"bits_per_wedge", bitsPer(bytes, costs.wedges)}};
+}
+
+Json costsJson(const Asset& asset) {
+  const FileCosts costs = fileCosts(*asset.get(), asset.bytes(), asset.name());
+  Json json{{"vertices", costs.vertices}, {"wedges", costs.wedges}};
+  for (const FileCosts::Kind& kind : costs.kinds) {
+    if (!json["groups"].contains(kind.group)) json["groups"][kind.group] = costJson(costs.bytesOf(kind.group), costs);
+    json["groups"][kind.group]["kinds"][kind.name] = costJson(kind.bytes, costs);
+  }
+  json["file"] = costJson(asset.info().file_bytes, costs);
   return json;
 }
 
@@ -113,6 +135,24 @@ std::string kindTable(const Json& kinds, uint64_t file_bytes) {
   return table(rows, 1);
 }
 
+std::vector<std::string> costRow(const std::string& name, const Json& cost, uint64_t file_bytes) {
+  return {name, grouped(cost["bytes"]),
+          format("%.1f %%", 100 * cost["bytes"].get<double>() / static_cast<double>(file_bytes)),
+          format("%.3f", cost["bits_per_vertex"].get<double>()), format("%.3f", cost["bits_per_wedge"].get<double>())};
+}
+
+std::string costTable(const Json& costs, uint64_t file_bytes) {
+  std::vector<std::vector<std::string>> rows{{"bytes of", "bytes", "share", "bits/vertex", "bits/GPU vertex"}};
+  for (const auto& [group, cost] : costs["groups"].items()) {
+    rows.push_back(costRow(group, cost, file_bytes));
+    if (cost["kinds"].size() == 1) continue;
+    for (const auto& [kind, part] : cost["kinds"].items()) rows.push_back(costRow("  " + kind, part, file_bytes));
+  }
+  rows.push_back(costRow("file", costs["file"], file_bytes));
+  return "the finest level has " + grouped(costs["vertices"]) + " vertices (welded) and " + grouped(costs["wedges"]) +
+         " GPU vertices (wedges)\n" + table(rows, 1);
+}
+
 std::string partTable(const Json& parts) {
   std::vector<std::vector<std::string>> rows{{"part", "material", "hangs on"}};
   for (const Json& part : parts) {
@@ -132,14 +172,19 @@ std::string text(const Json& json) {
                 json["posed_diagonal"].get<double>());
   out += "\n" + levelTable(json["levels"], json["head_bytes"]);
   out += "\n" + pageTable(json["pages"]);
-  out += "\n" + kindTable(json["kinds"], json["bytes"]);
+  out += "\n" +
+         (json.contains("costs") ? costTable(json["costs"], json["bytes"]) : kindTable(json["kinds"], json["bytes"]));
   out += "\n" + partTable(json["parts"]);
   return out;
 }
 
 ExitCode info(const InfoOptions& options) {
-  const Asset asset = Asset::open(options.file);
-  const Json json = describe(asset);
+  Asset asset = Asset::open(options.file);
+  Json json = describe(asset);
+  if (options.bytes) {
+    asset.loadAll();
+    json["costs"] = costsJson(asset);
+  }
   std::fputs((options.json ? json.dump(2) + "\n" : text(json)).c_str(), stdout);
   return kDone;
 }
@@ -150,6 +195,10 @@ void addInfoCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Levels, pages, bytes, errors and joints of a .lithe file");
   command->add_option("file", options->file, "The .lithe file")->required();
+  command->add_flag(
+      "--bytes", options->bytes,
+      "Say what connectivity, positions, each attribute and the tables take: bytes, and bits per vertex of "
+      "the finest level; reads all pages");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &action] { action = [options] { return info(*options); }; });
 }
