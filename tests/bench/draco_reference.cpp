@@ -62,7 +62,16 @@ class LayoutBuilder {
   }
 };
 
-LayoutBuilder referenceLayout(const lithe_asset_info& info) {
+void addSkin(const lithe_asset_info& info, LayoutBuilder& builder) {
+  lithe_vertex_layout& layout = builder.layout;
+  const bool few_joints = info.joint_count <= 256;
+  layout.joints =
+      builder.add("joints", Type::GENERIC, layout.influences, few_joints ? draco::DT_UINT8 : draco::DT_UINT16,
+                  few_joints ? LITHE_FORMAT_U8 : LITHE_FORMAT_U16);
+  layout.weights = builder.add("weights", Type::GENERIC, layout.influences, draco::DT_UINT8, LITHE_FORMAT_UNORM8);
+}
+
+LayoutBuilder referenceLayout(const lithe_asset_info& info, bool with_skin) {
   LayoutBuilder builder;
   lithe_vertex_layout& layout = builder.layout;
   layout.struct_size = sizeof layout;
@@ -75,11 +84,7 @@ LayoutBuilder referenceLayout(const lithe_asset_info& info) {
     layout.uv[s] = builder.add("uv" + std::to_string(s), Type::TEX_COORD, 2, draco::DT_FLOAT32, LITHE_FORMAT_F32);
   for (uint32_t s = 0; s < info.color_sets; ++s)
     layout.color[s] = builder.add("color" + std::to_string(s), Type::COLOR, 4, draco::DT_UINT8, LITHE_FORMAT_UNORM8);
-  const bool few_joints = info.joint_count <= 256;
-  layout.joints =
-      builder.add("joints", Type::GENERIC, layout.influences, few_joints ? draco::DT_UINT8 : draco::DT_UINT16,
-                  few_joints ? LITHE_FORMAT_U8 : LITHE_FORMAT_U16);
-  layout.weights = builder.add("weights", Type::GENERIC, layout.influences, draco::DT_UINT8, LITHE_FORMAT_UNORM8);
+  if (with_skin) addSkin(info, builder);
   return builder;
 }
 
@@ -96,14 +101,14 @@ void unpackTangents(LevelBuffers& buffers) {
   }
 }
 
-FinestLevel readFinest(const lithe_asset& asset) {
+FinestLevel readFinest(const lithe_asset& asset, bool with_skin) {
   FinestLevel finest;
   lithe_asset_describe(&asset, &finest.info);
   lithe_hierarchy hierarchy;
   lithe_asset_hierarchy(&asset, &hierarchy);
   std::copy_n(hierarchy.grid_origin, 3, finest.grid_origin);
   finest.grid_step = hierarchy.grid_step;
-  LayoutBuilder builder = referenceLayout(finest.info);
+  LayoutBuilder builder = referenceLayout(finest.info, with_skin);
   finest.attributes = std::move(builder.attributes);
   finest.buffers = std::make_unique<LevelBuffers>(asset, builder.layout);
   finest.buffers->write(asset);
@@ -198,6 +203,8 @@ class TriangleSum {
   uint32_t count_ = 0, flat_ = 0;
 };
 
+bool isOfSkin(const ReferenceAttribute& attribute) { return attribute.name == "joints" || attribute.name == "weights"; }
+
 /// `read(attribute index, out)` copies one attribute's bytes.
 template <typename Read>
 CornerNumbers cornerNumbers(const FinestLevel& finest, const Read& read) {
@@ -208,7 +215,8 @@ CornerNumbers cornerNumbers(const FinestLevel& finest, const Read& read) {
     numbers.place = mix(numbers.place,
                         static_cast<uint64_t>(std::llround((position[c] - finest.grid_origin[c]) / finest.grid_step)));
   numbers.all = numbers.place;
-  for (size_t a = finest.attributes.size() - 2; a < finest.attributes.size(); ++a) {
+  for (size_t a = 0; a < finest.attributes.size(); ++a) {
+    if (!isOfSkin(finest.attributes[a])) continue;
     uint8_t bytes[2 * LITHE_MAX_INFLUENCES];
     read(a, bytes);
     for (uint32_t i = 0; i < finest.attributes[a].bytes; ++i) numbers.all = mix(numbers.all, bytes[i]);
@@ -261,8 +269,8 @@ uint64_t DracoReference::byteCount() const {
   return count;
 }
 
-DracoReference encodeReference(const lithe_asset& asset) {
-  const FinestLevel finest = readFinest(asset);
+DracoReference encodeReference(const lithe_asset& asset, bool with_skin) {
+  const FinestLevel finest = readFinest(asset, with_skin);
   DracoReference reference;
   for (const ReferenceAttribute& attribute : finest.attributes) reference.names.push_back(attribute.name);
   for (const lithe_range& range : finest.buffers->ranges)

@@ -29,8 +29,9 @@ struct DracoReference {
 
 /// Encodes the finest level of an asset whose pages have all been supplied, decodes it again and compares positions,
 /// joints and weights of every triangle. The asset must have been baked with default precisions.
+/// @param with_skin  false leaves joints and weights out
 /// @throws bake::Error when Draco refuses, or when what comes back is not what went in
-DracoReference encodeReference(const lithe_asset& asset);
+DracoReference encodeReference(const lithe_asset& asset, bool with_skin = true);
 
 /// Decodes every part and returns the number of points. @throws bake::Error when Draco refuses
 uint64_t decodeReference(const DracoReference& reference);
