@@ -235,7 +235,7 @@ class Counter {
   }
 
   uint32_t differenceOfChildren() const {
-    const int32_t* a = hierarchy_.node_position + size_t{3} * next_node_;
+    const uint16_t* a = hierarchy_.node_position + size_t{3} * next_node_;
     int32_t largest = 0;
     for (size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a[c] - a[c + 3]));
     return static_cast<uint32_t>(largest);
