@@ -26,9 +26,11 @@ struct Workspace {
   WideTable wide;
 };
 
-uint64_t rowCapacity(uint32_t records) {
-  const uint64_t values = static_cast<uint64_t>(records) * kMaxCloudComponents;
-  return (values < kMaxRansSymbols ? values : kMaxRansSymbols) + 1;
+/// A used symbol occurs, and its frequency takes a byte at least.
+uint64_t rowCapacity(uint32_t records, size_t bytes) {
+  uint64_t rows = static_cast<uint64_t>(records) * kMaxCloudComponents;
+  if (rows > bytes) rows = bytes;
+  return (rows < kMaxRansSymbols ? rows : kMaxRansSymbols) + 1;
 }
 
 CloudResult readHeader(DracoReader& reader) {
@@ -293,7 +295,7 @@ class Decoder {
 bool isSane(const CloudJob& cloud, const DecodeScratch& scratch) {
   if (reinterpret_cast<uintptr_t>(scratch.memory) % 8 != 0) return false;
   if (cloud.expected_records == 0 || cloud.expected_records > kMaxCloudRecords) return false;
-  if (scratch.size < decodeScratchSize(cloud.expected_records)) return false;
+  if (scratch.size < decodeScratchSize(cloud.expected_records, cloud.size)) return false;
   if (cloud.column_count == 0 || cloud.column_count > kMaxCloudColumns) return false;
   for (uint32_t i = 0; i < cloud.column_count; ++i) {
     const uint32_t components = cloud.columns[i].components;
@@ -304,8 +306,8 @@ bool isSane(const CloudJob& cloud, const DecodeScratch& scratch) {
 
 }  // namespace
 
-size_t decodeScratchSize(uint32_t max_records) {
-  return sizeof(Workspace) + static_cast<size_t>(rowCapacity(max_records)) * sizeof(RansRow);
+size_t decodeScratchSize(uint32_t max_records, size_t max_bytes) {
+  return sizeof(Workspace) + static_cast<size_t>(rowCapacity(max_records, max_bytes)) * sizeof(RansRow);
 }
 
 CloudResult decodeClouds(const CloudJob* jobs, uint32_t job_count, const DecodeScratch& scratch, uint32_t* failed) {

@@ -59,9 +59,9 @@ struct DecodeScratch {
   size_t size = 0;         ///< at least decodeScratchSize()
 };
 
-/// The scratch that a decode needs when no cloud has more than max_records records: 264 KiB and 32 bytes per record, at
-/// most 2.3 MiB.
-size_t decodeScratchSize(uint32_t max_records);
+/// The scratch that a decode needs when no cloud has more than max_records records or max_bytes bytes: 264 KiB, and 32
+/// bytes per record or 8 per byte, whichever is less, at most 2 MiB.
+size_t decodeScratchSize(uint32_t max_records, size_t max_bytes);
 
 /// Decodes several clouds at once: faster than one after the other, since the streams of a cloud's last columns are
 /// decoded in turns with the next cloud's first.

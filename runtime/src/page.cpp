@@ -93,7 +93,7 @@ size_t pageScratchBytes(const PagePlan& plan) {
   const size_t fan = plan.max_fan;
   return aligned(size_t{plan.values} * sizeof(int32_t)) + 6 * aligned(fan * sizeof(uint32_t)) +
          2 * aligned(fan * sizeof(format::Int3)) + aligned(fan * sizeof(WedgeClass)) +
-         aligned(2 * fan * sizeof(uint32_t)) + aligned(fan) + decodeScratchSize(largestStream(plan));
+         aligned(2 * fan * sizeof(uint32_t)) + aligned(fan) + decodeScratchSize(largestStream(plan), plan.bytes);
 }
 
 lithe_result decodePage(const PageFormat& format, const PagePlan& plan, const uint8_t* bytes, size_t size,
@@ -101,7 +101,7 @@ lithe_result decodePage(const PageFormat& format, const PagePlan& plan, const ui
   ScratchCursor scratch{static_cast<uint8_t*>(memory)};
   int32_t* values = scratch.take<int32_t>(plan.values);
   DecodeScratch cloud_scratch;
-  cloud_scratch.size = decodeScratchSize(largestStream(plan));
+  cloud_scratch.size = decodeScratchSize(largestStream(plan), plan.bytes);
   cloud_scratch.memory = scratch.take<uint8_t>(cloud_scratch.size);
 
   const uint32_t nodes = decoded->node_count, wedges = decoded->wedge_count, faces = decoded->face_count;

@@ -39,6 +39,7 @@ struct PagePlan {
   uint32_t level;                                ///< the coarsest level that needs it
   uint32_t level_first_node;                     ///< nodes of the levels before that one
   uint32_t values;                               ///< integers in all streams
+  uint32_t bytes;                                ///< of the page
   uint32_t max_fan;
   uint32_t ended_levels;  ///< levels that end in this page: several, or one at its end, or none
   LevelEnd ends[format::limits::kLevels];

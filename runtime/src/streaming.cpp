@@ -24,6 +24,7 @@ PagePlan planOf(const lithe_asset& asset, uint32_t page) {
   plan.level = entry.level;
   plan.level_first_node = entry.level ? asset.levels[entry.level - 1].entry.node_count : 0;
   plan.values = entry.values;
+  plan.bytes = entry.size;
   plan.max_fan = entry.max_fan;
   for (uint32_t l = entry.level; l < asset.level_count && asset.levels[l].entry.page_end == page + 1; ++l) {
     const LevelEntry& level = asset.levels[l].entry;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "geometry.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstring>
 
 #include "error.h"
+#include "lithe/runtime.hpp"
 
 namespace sample {
 namespace {
@@ -116,15 +119,27 @@ void Geometry::uploadVertices(const Character& character, size_t index, uint32_t
   bytes_uploaded_ += size;
 }
 
+void Geometry::orderForVertexCache(const Character& character, size_t level, std::span<const lithe_range> ranges,
+                                   std::vector<uint32_t>& indices) {
+  const uint32_t vertex_count = character.levels[level].vertex_count;
+  order_scratch_.resize(
+      std::max(order_scratch_.size(), lithe::orderScratch(static_cast<uint32_t>(indices.size()), vertex_count)));
+  const lithe::Result result =
+      lithe::orderIndices(lithe::Span<uint32_t>(indices), ranges, vertex_count, order_scratch_);
+  check(static_cast<lithe_result>(result), character.name + ": ordering indices");
+}
+
 void Geometry::uploadIndices(const Character& character, size_t index, uint32_t level) {
   const uint32_t first = level_first_index_[index][level];
   const size_t size = size_t{character.levels[level].index_count} * sizeof(uint32_t);
   lithe_range* ranges = &ranges_[index][size_t{level} * character.info.part_count];
-  void* memory = indices_.mapUnread(first * sizeof(uint32_t), size);
+  std::vector<uint32_t> indices(character.levels[level].index_count);
   const lithe_result result =
-      lithe_asset_write_indices(character.asset.get(), level, LITHE_INDEX_U32, memory, size, ranges);
-  indices_.unmap();
+      lithe_asset_write_indices(character.asset.get(), level, LITHE_INDEX_U32, indices.data(), size, ranges);
   check(result, character.name + ": indices");
+  orderForVertexCache(character, level, {ranges, character.info.part_count}, indices);
+  std::memcpy(indices_.mapUnread(first * sizeof(uint32_t), size), indices.data(), size);
+  indices_.unmap();
   for (uint32_t part = 0; part < character.info.part_count; ++part) ranges[part].first_index += first;
   bytes_uploaded_ += size;
 }

@@ -48,10 +48,13 @@ class Geometry {
   void uploadLevel(const Character& character, size_t index, uint32_t level);
   void uploadVertices(const Character& character, size_t index, uint32_t begin, uint32_t end);
   void uploadIndices(const Character& character, size_t index, uint32_t level);
+  void orderForVertexCache(const Character& character, size_t level, std::span<const lithe_range> ranges,
+                           std::vector<uint32_t>& indices);
 
   std::vector<lithe_placement> placements_;
   std::vector<std::vector<lithe_range>> ranges_;          ///< per character: [level * part_count + part]
   std::vector<std::vector<uint32_t>> level_first_index_;  ///< per character and level, in the shared index buffer
+  std::vector<uint8_t> order_scratch_;
   Buffer vertices_, indices_;
   GLuint vertex_array_ = 0;
   uint64_t bytes_uploaded_ = 0;

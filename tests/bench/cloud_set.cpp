@@ -38,7 +38,7 @@ void CloudSet::add(const uint8_t* bytes, size_t size, uint32_t records,
                    cloud.outs.data()});
   records_ += records;
   bytes_ += size;
-  scratch_.resize(std::max(scratch_.size(), runtime::decodeScratchSize(records) / 8 + 1));
+  scratch_.resize(std::max(scratch_.size(), runtime::decodeScratchSize(records, size) / 8 + 1));
 }
 
 bool CloudSet::decodeWithLithe() {

@@ -83,7 +83,7 @@ std::vector<std::vector<int32_t>> decodeWithDraco(const std::vector<uint8_t>& by
 class Reader {
  public:
   explicit Reader(uint32_t max_records)
-      : scratch_memory_(runtime::decodeScratchSize(max_records) / 8 + 1),
+      : scratch_memory_(runtime::decodeScratchSize(max_records, SIZE_MAX) / 8 + 1),
         scratch_{scratch_memory_.data(), scratch_memory_.size() * 8} {}
 
   runtime::CloudResult read(const std::vector<uint8_t>& bytes, const CloudColumns& expected) {
@@ -195,7 +195,7 @@ struct Jobs {
 /// Sets of clouds as a page has them, where some wait for their tags while others go on. Damaging one blames that one.
 TEST(DracoSubset, SetsOfCloudsAreReadSideBySide) {
   Random random(19);
-  std::vector<uint64_t> memory(runtime::decodeScratchSize(2000) / 8 + 1);
+  std::vector<uint64_t> memory(runtime::decodeScratchSize(2000, SIZE_MAX) / 8 + 1);
   const runtime::DecodeScratch scratch = {memory.data(), memory.size() * 8};
   for (int round = 0; round < 400; ++round) {
     SCOPED_TRACE(round);

@@ -8,7 +8,7 @@
 // bytes. All numbers in them are little-endian and 32 bits wide, but for joints of a vertex (u16).
 //     scene nodes       per node: parent, translation xyz, rotation xyzw, scale xyz
 //     joints            per joint: node, inverse bind matrix as 3 rows of 4
-//     node positions    per node of the hierarchy: xyz on the grid (i32)
+//     node positions    per node of the hierarchy: xyz on the grid (u16)
 //     node parents      per node of the hierarchy, LITHE_NO_INDEX for none
 //     node children     per node of the hierarchy, the first one; LITHE_NO_INDEX for none
 //     wedge nodes, wedge parents, wedge parts      per wedge

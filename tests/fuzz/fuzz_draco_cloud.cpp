@@ -23,7 +23,7 @@ void decode(const uint8_t* cloud, size_t size, uint32_t records, const std::vect
   std::vector<int32_t*> outs;
   for (const ColumnSpec& column : columns) values.emplace_back(records * column.components);
   for (std::vector<int32_t>& column : values) outs.push_back(column.data());
-  std::vector<uint64_t> memory((decodeScratchSize(records) + 7) / 8);
+  std::vector<uint64_t> memory((decodeScratchSize(records, size) + 7) / 8);
   const CloudResult result = decodeCloud(cloud, size, records, columns.data(), static_cast<uint32_t>(columns.size()),
                                          outs.data(), {memory.data(), memory.size() * 8});
   if (result == CloudResult::kArgument) std::abort();

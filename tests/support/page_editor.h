@@ -82,7 +82,7 @@ class PageEditor {
                          attribute.spec.is_unsigned ? runtime::ColumnKind::kUnsigned : runtime::ColumnKind::kSigned});
       outs.push_back(attribute.values.data());
     }
-    std::vector<uint64_t> scratch((runtime::decodeScratchSize(records) + 7) / 8);
+    std::vector<uint64_t> scratch((runtime::decodeScratchSize(records, size) + 7) / 8);
     if (runtime::decodeCloud(bytes, size, records, columns.data(), static_cast<uint32_t>(columns.size()), outs.data(),
                              {scratch.data(), scratch.size() * 8}) != runtime::CloudResult::kOk)
       throw std::runtime_error("a page editor needs a sound page");

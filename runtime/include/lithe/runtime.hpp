@@ -197,6 +197,21 @@ struct DrawBuffers {
   Span<std::uint32_t> counters;
 };
 
+inline std::size_t orderScratch(std::uint32_t index_count, std::uint32_t vertex_count) {
+  return static_cast<std::size_t>(lithe_order_scratch(index_count, vertex_count));
+}
+
+/// Index: uint16_t or uint32_t. scratch: orderScratch() bytes, aligned to 4.
+template <typename Index>
+[[nodiscard]] Result orderIndices(Span<Index> indices, Span<const lithe_range> ranges, std::uint32_t vertex_count,
+                                  Span<std::uint8_t> scratch) {
+  constexpr lithe_index_type kType = sizeof(Index) == 2 ? LITHE_INDEX_U16 : LITHE_INDEX_U32;
+  static_assert(sizeof(Index) == 2 || sizeof(Index) == 4, "indices have 16 or 32 bits");
+  return static_cast<Result>(lithe_order_indices(indices.data, kType, static_cast<std::uint32_t>(indices.size),
+                                                 ranges.data, static_cast<std::uint32_t>(ranges.size), vertex_count,
+                                                 scratch.data, scratch.size));
+}
+
 [[nodiscard]] inline Result buildDraws(Span<const lithe_placement> placements, Span<const lithe_instance> instances,
                                        const DrawBuffers& buffers, std::uint32_t* draw_count) {
   const std::uint32_t asset_count = static_cast<std::uint32_t>(placements.size);

@@ -15,6 +15,10 @@ def words(values):
     return struct.pack(f"<{len(values)}I", *values)
 
 
+def half_words(values):
+    return struct.pack(f"<{len(values)}H", *values)
+
+
 def node_parents(nodes):
     parents = [NONE] * len(nodes)
     for index, node in enumerate(nodes):
@@ -29,7 +33,7 @@ def blocks_of(decoded):
     blocks = {
         "scene nodes": node_bytes(decoded),
         "joints": joint_bytes(decoded),
-        "node positions": words([value for node in nodes for value in node.position]),
+        "node positions": half_words([value for node in nodes for value in node.position]),
         "node parents": words(node_parents(nodes)),
         "node children": words([node.children[0] if node.children else NONE for node in nodes]),
         "wedge nodes": words([wedge.node for wedge in wedges]),

@@ -28,7 +28,7 @@ struct Decoded {
       values[i].assign(size_t{records} * columns[i].components, -5);
       outs.push_back(values[i].data());
     }
-    scratch.resize((decodeScratchSize(records) + 7) / 8);
+    scratch.resize((decodeScratchSize(records, bytes.size()) + 7) / 8);
     return decodeCloud(exact.data(), exact.size(), records, columns.data(), static_cast<uint32_t>(columns.size()),
                        outs.data(), {scratch.data(), scratch.size() * 8});
   }
@@ -104,7 +104,7 @@ TEST(DracoCloud, SeveralCloudsAtOnceAndWhichOneIsWrong) {
     outs[i] = values[i].data();
     jobs[i] = {bytes[i].data(), bytes[i].size(), records[i], &kOneUnsigned, 1, &outs[i]};
   }
-  std::vector<uint64_t> memory(decodeScratchSize(300) / 8 + 1);
+  std::vector<uint64_t> memory(decodeScratchSize(300, SIZE_MAX) / 8 + 1);
   const DecodeScratch scratch = {memory.data(), memory.size() * 8};
   ASSERT_EQ(CloudResult::kOk, decodeClouds(jobs, 3, scratch, nullptr));
   for (int i = 0; i < 3; ++i) EXPECT_EQ(asInts(symbols[i]), values[i]);
@@ -210,13 +210,13 @@ TEST(DracoCloud, CallersMistakesAreRefused) {
   Decoded decoded;
   int32_t value = 0;
   int32_t* outs[] = {&value, &value};
-  std::vector<uint64_t> memory(decodeScratchSize(20) / 8 + 1);
+  std::vector<uint64_t> memory(decodeScratchSize(20, cloud.bytes.size()) / 8 + 1);
   const auto decode = [&](uint32_t records, const std::vector<ColumnSpec>& columns, size_t scratch_size, size_t shift) {
     return decodeCloud(cloud.bytes.data(), cloud.bytes.size(), records, columns.data(),
                        static_cast<uint32_t>(columns.size()), outs,
                        {reinterpret_cast<uint8_t*>(memory.data()) + shift, scratch_size});
   };
-  const size_t enough = decodeScratchSize(20);
+  const size_t enough = decodeScratchSize(20, cloud.bytes.size());
   EXPECT_EQ(CloudResult::kArgument, decode(0, cloud.columns, enough, 0));
   EXPECT_EQ(CloudResult::kArgument, decode(20, {}, enough, 0));
   EXPECT_EQ(CloudResult::kArgument, decode(20, {{0, ColumnKind::kSigned}}, enough, 0));
@@ -226,10 +226,11 @@ TEST(DracoCloud, CallersMistakesAreRefused) {
   EXPECT_EQ(CloudResult::kArgument, decode(kMaxCloudRecords + 1, cloud.columns, SIZE_MAX, 0));
 }
 
-TEST(DracoCloud, ScratchGrowsWithTheRecordsUpToALimit) {
-  EXPECT_LT(decodeScratchSize(1), 265u * 1024);
-  EXPECT_EQ(decodeScratchSize(1) + 32 * 999, decodeScratchSize(1000));
-  EXPECT_LT(decodeScratchSize(kMaxCloudRecords), 2355u * 1024);
+TEST(DracoCloud, ScratchGrowsWithTheRecordsOrTheBytesUpToALimit) {
+  EXPECT_LT(decodeScratchSize(1, SIZE_MAX), 265u * 1024);
+  EXPECT_EQ(decodeScratchSize(1, SIZE_MAX) + 32 * 999, decodeScratchSize(1000, SIZE_MAX));
+  EXPECT_EQ(decodeScratchSize(1000, 500) + 8 * 500, decodeScratchSize(1000, 1000));
+  EXPECT_LT(decodeScratchSize(kMaxCloudRecords, SIZE_MAX), 2355u * 1024);
 }
 
 // ---- Hostile bytes
