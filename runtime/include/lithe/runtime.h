@@ -203,7 +203,8 @@ LITHE_API uint64_t lithe_asset_memory(const lithe_asset* asset, uint32_t level);
 /* Makes room for a level at once, for a host that knows which one it will ask for: on the way there supply allocates
  * nothing but its scratch, and no array is moved. Without it the arrays grow level by level, each new block beside the
  * one that it replaces. What evict gives back it gives back all the same.
- * returns LITHE_OK; LITHE_ERROR_OUT_OF_MEMORY: what has been made room for so far is kept, and supply goes on as it can */
+ * returns LITHE_OK; LITHE_ERROR_OUT_OF_MEMORY: what has been made room for so far is kept, and supply goes on as it can
+ */
 LITHE_NODISCARD LITHE_API lithe_result lithe_asset_reserve(lithe_asset* asset, uint32_t level);
 
 /* Takes a page: checks it, decodes it, appends its nodes, wedges and faces. The bytes may go when this returns.
