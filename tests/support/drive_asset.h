@@ -167,8 +167,6 @@ inline void walkHierarchy(const lithe_asset* asset, const lithe_asset_info& info
     LITHE_DEMAND(h.node_parent[n] == LITHE_NO_INDEX || h.node_parent[n] < n);
     LITHE_DEMAND(h.node_first_child[n] == LITHE_NO_INDEX ||
                  (h.node_first_child[n] > n && h.node_first_child[n] + 1 < h.node_count));
-    for (uint32_t c = 0; c < 3; ++c)
-      LITHE_DEMAND(h.node_position[3 * size_t{n} + c] >= 0 && h.node_position[3 * size_t{n} + c] < 65536);
   }
   for (uint32_t w = 0; w < h.wedge_count; ++w) {
     LITHE_DEMAND(h.wedge_node[w] < h.node_count && h.wedge_part[w] < info.part_count);
