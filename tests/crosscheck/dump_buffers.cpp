@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "lithe/runtime.h"
+#include "widest_layout.h"
 
 namespace {
 
@@ -107,27 +108,8 @@ void writeHierarchy(const lithe_asset* asset, Blocks& out) {
   out.write("wedge parts", std::vector<uint32_t>(h.wedge_part, h.wedge_part + h.wedge_count));
 }
 
-lithe_vertex_layout layoutOf(const lithe_asset_info& info) {
-  lithe_vertex_layout layout = {};
-  layout.struct_size = sizeof layout;
-  layout.influences = LITHE_MAX_INFLUENCES;
-  auto place = [&](uint16_t format, uint32_t bytes) {
-    const lithe_attribute attribute = {format, static_cast<uint16_t>(layout.stride)};
-    layout.stride += bytes;
-    return attribute;
-  };
-  layout.position = place(LITHE_FORMAT_F32, 12);
-  layout.joints = place(LITHE_FORMAT_U16, 2 * LITHE_MAX_INFLUENCES);
-  layout.weights = place(LITHE_FORMAT_F32, 4 * LITHE_MAX_INFLUENCES);
-  if (info.has_normals) layout.normal = place(LITHE_FORMAT_F32, 12);
-  if (info.has_tangents) layout.tangent = place(LITHE_FORMAT_F32, 16);
-  for (uint32_t s = 0; s < info.uv_sets; ++s) layout.uv[s] = place(LITHE_FORMAT_F32, 8);
-  for (uint32_t s = 0; s < info.color_sets; ++s) layout.color[s] = place(LITHE_FORMAT_F32, 16);
-  return layout;
-}
-
 void writeVertices(const lithe_asset* asset, const lithe_asset_info& info, uint32_t count, Blocks& out) {
-  const lithe_vertex_layout layout = layoutOf(info);
+  const lithe_vertex_layout layout = lithe::test::widestLayout(info);
   std::vector<uint8_t> vertices(size_t{layout.stride} * count);
   demand(lithe_asset_write_vertices(asset, &layout, 0, count, vertices.data(), vertices.size()), "vertices");
   out.write("vertices", vertices);

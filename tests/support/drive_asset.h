@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lithe/runtime.h"
+#include "widest_layout.h"
 #include "xxh64.h"
 
 namespace lithe::test {
@@ -39,26 +40,6 @@ struct Outcome {
 template <typename T>
 uint64_t hashOf(const std::vector<T>& values) {
   return runtime::xxh64(values.data(), values.size() * sizeof(T));
-}
-
-/// Every attribute that the asset has, in the widest formats.
-inline lithe_vertex_layout widestLayout(const lithe_asset_info& info) {
-  lithe_vertex_layout layout = {};
-  layout.struct_size = sizeof layout;
-  layout.influences = LITHE_MAX_INFLUENCES;
-  auto place = [&](uint16_t format, uint32_t bytes) {
-    const lithe_attribute attribute = {format, static_cast<uint16_t>(layout.stride)};
-    layout.stride += bytes;
-    return attribute;
-  };
-  layout.position = place(LITHE_FORMAT_F32, 12);
-  layout.joints = place(LITHE_FORMAT_U16, 16);
-  layout.weights = place(LITHE_FORMAT_F32, 32);
-  if (info.has_normals) layout.normal = place(LITHE_FORMAT_F32, 12);
-  if (info.has_tangents) layout.tangent = place(LITHE_FORMAT_F32, 16);
-  for (uint32_t s = 0; s < info.uv_sets; ++s) layout.uv[s] = place(LITHE_FORMAT_F32, 8);
-  for (uint32_t s = 0; s < info.color_sets; ++s) layout.color[s] = place(LITHE_FORMAT_F32, 16);
-  return layout;
 }
 
 inline std::vector<uint8_t> verticesOf(const lithe_asset* asset, const lithe_vertex_layout& layout, uint32_t count) {

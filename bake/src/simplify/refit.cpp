@@ -316,20 +316,23 @@ bool Refit::mayMove(uint32_t slot, const PosedPoint* to, const NodeState& nodes,
   return edges > 0 && squaredDistances(from, to, blocks_) <= kReach * reach / static_cast<float>(edges);
 }
 
-// The place on the lattice nearest to where the quadric is least for this blend, or `factor` of the way there.
-glm::ivec3 Refit::bestPlace(uint32_t slot, const Affine* blend, const PosedPoint* from, double factor,
-                            const NodeState& nodes) const {
+// To where the quadric is least for this blend, on the grid.
+glm::dvec3 Refit::bestMove(uint32_t slot, const Affine* blend, const PosedPoint* from) const {
+  return solveNormalEquations(normalEquations(quadricAt(slot), blend, matched_.data(), from, blocks_), kStay);
+}
+
+// The place that the file can hold.
+glm::ivec3 Refit::placeAfter(uint32_t slot, const glm::dvec3& move, const NodeState& nodes) const {
   const Made& made = made_[slot];
   const Segment segment(made.v, made.v + made.d, nodes.placement_shift, nodes.grid_bits);
-  const NormalEquations n = normalEquations(quadricAt(slot), blend, matched_.data(), from, blocks_);
-  return segment.snap(glm::dvec3(nodes.positions[slot]) + factor * solveNormalEquations(n, kStay), made.t8);
+  return segment.snap(glm::dvec3(nodes.positions[slot]) + move, made.t8);
 }
 
 bool Refit::stepPosition(uint32_t slot, NodeState& nodes, const Surface& surface) {
   const Affine* blend = blendSkin(nodes.posed, nodes.skins[slot], blend_.data());
-  double factor = 1.0;
-  for (uint32_t trial = 0; trial < kTrials; ++trial, factor *= 0.5) {
-    const glm::ivec3 place = bestPlace(slot, blend, nodes.posed.at(slot), factor, nodes);
+  glm::dvec3 move = bestMove(slot, blend, nodes.posed.at(slot));
+  for (uint32_t trial = 0; trial < kTrials; ++trial, move *= 0.5) {
+    const glm::ivec3 place = placeAfter(slot, move, nodes);
     if (place == nodes.positions[slot]) return false;
     transformPoint(blend, blocks_, glm::vec3(place), trial_.data());
     if (!mayMove(slot, trial_.data(), nodes, surface)) continue;
@@ -354,7 +357,7 @@ bool Refit::stepWeights(uint32_t slot, NodeState& nodes, const Surface& surface)
   };
   glm::ivec3 place = nodes.positions[slot];
   double cost = energyAt(place, reweighted_);
-  const glm::ivec3 moved = bestPlace(slot, blend, reweighted_.data(), 1.0, nodes);
+  const glm::ivec3 moved = placeAfter(slot, bestMove(slot, blend, reweighted_.data()), nodes);
   const double cost_moved = energyAt(moved, trial_);
   if (cost_moved < cost) {
     place = moved;

@@ -82,8 +82,8 @@ class Refit {
   bool step(uint32_t slot, NodeState& nodes, const Surface& surface);
   bool stepPosition(uint32_t slot, NodeState& nodes, const Surface& surface);
   bool stepWeights(uint32_t slot, NodeState& nodes, const Surface& surface);
-  glm::ivec3 bestPlace(uint32_t slot, const Affine* blend, const PosedPoint* from, double factor,
-                       const NodeState& nodes) const;
+  glm::dvec3 bestMove(uint32_t slot, const Affine* blend, const PosedPoint* from) const;
+  glm::ivec3 placeAfter(uint32_t slot, const glm::dvec3& move, const NodeState& nodes) const;
   bool mayMove(uint32_t slot, const PosedPoint* to, const NodeState& nodes, const Surface& surface) const;
   std::vector<Place> places(const NodeState& nodes) const;
   const PosedPoint* pose(const Place& place, const NodeState& nodes);
