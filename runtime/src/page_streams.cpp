@@ -75,7 +75,7 @@ bool parametersValid(const PageFormat& format, const uint8_t* parameters, bool b
   // A base page predicts nothing, and its biases are the numbers of low bits.
   const uint8_t strength = base ? 0 : 32, bias = base ? format::kLowBitsMax : 31;
   uint8_t most[format::kParameterBytes] = {};
-  most[format::kPositionMean] = most[format::kSkinGradient] = strength;
+  most[format::kPositionMean] = most[format::kPlacement] = most[format::kSkinGradient] = strength;
   most[format::kPositionBias] = bias;
   most[format::kHeightBias] = base ? 0 : bias;
   most[format::kSkinShift] = base ? 0 : format::kLowBitsMax;

@@ -54,21 +54,21 @@ uint32_t SplitDecoder::visitNodes(uint32_t* cursor, uint32_t first_node, uint32_
 uint32_t SplitDecoder::splitNode(uint32_t node) {
   if (!gatherFan(node)) return kCheckWork;
   IntReader* split = streams_->values[format::kSplits];
-  const int32_t t8 = split[format::kSplitT8].next(), mode = split[format::kSplitMode].next(),
+  const int32_t t8_rank = split[format::kSplitT8].next(), mode = split[format::kSplitMode].next(),
                 skin_mode = split[format::kSplitSkin].next();
-  if (t8 < 0 || t8 > 8 || mode > format::kModeGeneral || skin_mode > format::kSkinFree) return kCheckSplit;
+  if (t8_rank > 8 || mode > format::kModeGeneral || skin_mode > format::kSkinFree) return kCheckSplit;
   format::buildRing(fan_, ring_);
   listed_ = ring_.kind == format::RingKind::kIrregular || mode == format::kModeGeneral;
   if (ring_.kind == format::RingKind::kClosed && mode == format::kModeOpenTwo) return kCheckSplit;
   if (ring_.kind == format::RingKind::kIrregular && mode != format::kModeRing) return kCheckSplit;
 
   uint32_t check = listed_ ? readList() : readRing(mode);
-  if (check == 0) check = placeChildren(node, t8);
+  if (check == 0) check = placeChildren(node, t8_rank);
   if (check == 0) check = readClasses(node);
-  if (check == 0) check = readAttributes(node, t8);
+  if (check == 0) check = readAttributes(node, t8_);
   if (check == 0) check = moveFan();
   if (check == 0) check = addFaces();
-  if (check == 0) check = readSkins(node, skin_mode, t8);
+  if (check == 0) check = readSkins(node, skin_mode, t8_);
   return check;
 }
 
@@ -156,11 +156,11 @@ uint32_t SplitDecoder::listedNode(uint32_t neighbour_count, uint32_t* node) {
 }
 
 /// D: what is left over the ring's plane and in it, plus the difference of the neighbourhoods' means.
-bool SplitDecoder::readDifference(uint32_t extent, const format::Plane& plane, int32_t* d) {
+bool SplitDecoder::readDifference(uint32_t mean_edge, const format::Plane& plane, int32_t* d) {
   IntReader* split = streams_->values[format::kSplits];
   const uint8_t* parameters = streams_->parameters;
-  const int32_t low = format::lowBits(extent, parameters[format::kPositionBias]);
-  const int32_t low_height = format::lowBits(extent, parameters[format::kHeightBias]);
+  const int32_t low = format::lowBits(mean_edge, parameters[format::kPositionBias]);
+  const int32_t low_height = format::lowBits(mean_edge, parameters[format::kHeightBias]);
   int64_t left[3];
   for (uint32_t across : plane.across) {
     left[across] = residual(&split[format::kSplitPosition], low);
@@ -180,11 +180,26 @@ bool SplitDecoder::readDifference(uint32_t extent, const format::Plane& plane, i
   return true;
 }
 
+/// From the planes of the children's faces, as far as they are known: those of lists are not.
+format::PredictedPlacement SplitDecoder::predictPlacement(format::Int3 center, format::Int3 d) const {
+  if (fan_.count > format::kMaxRing) return {};
+  format::PlacementSums sums(d, ring_extent_);
+  for (uint32_t i = 0; i < fan_.count; ++i)
+    sums.addFan(scratch_.at_b[i], format::minus(scratch_.other_at[0][i], center),
+                format::minus(scratch_.other_at[1][i], center));
+  for (uint32_t i = 0; !listed_ && i < face_count_; ++i)
+    sums.addCut(format::minus(position(ring_faces_[i].third), center), ring_faces_[i].first_is_a);
+  return sums.solve();
+}
+
 /// Lattice indices: two across D, and the third as the height over the plane that D is perpendicular to.
-void SplitDecoder::readLattice(const int32_t* d, int64_t* k) {
+void SplitDecoder::readLattice(format::Int3 d, int32_t step, const format::PredictedPlacement& predicted, int64_t* k) {
   IntReader* split = streams_->values[format::kSplits];
-  const format::Plane plane(d[0], d[1], d[2]);
-  for (uint32_t across : plane.across) k[across] = split[format::kSplitLattice].next();
+  const int32_t strength = streams_->parameters[format::kPlacement];
+  const format::Plane plane(d.x, d.y, d.z);
+  for (uint32_t across : plane.across)
+    k[across] =
+        int64_t{split[format::kSplitLattice].next()} + format::latticeIndex(strength, predicted.across[across], step);
   k[plane.axis] = split[format::kSplitLatticeHeight].next() - plane.lift(k[plane.across[0]], k[plane.across[1]]);
 }
 
@@ -214,7 +229,7 @@ void SplitDecoder::sumSides(format::Int3 center, format::Int3* low_end, format::
   *high_end = high;
 }
 
-uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
+uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8_rank) {
   const format::Int3 center = position(node);
   const int32_t w[3] = {center.x, center.y, center.z};
   format::Int3 low_end, high_end;
@@ -222,20 +237,21 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8) {
   const format::AreaNormal &a_side = side_[0].normal, &b_side = side_[1].normal;
   const int32_t extent = greatest(high_end.x - low_end.x, greatest(high_end.y - low_end.y, high_end.z - low_end.z));
   int32_t d[3];
-  if (!readDifference(static_cast<uint32_t>(extent), {a_side.x + b_side.x, a_side.y + b_side.y, a_side.z + b_side.z},
-                      d))
+  const uint32_t mean_edge = format::meanEdge(fan_, center, [&](uint32_t i) { return scratch_.other_at[0][i]; });
+  if (!readDifference(mean_edge, {a_side.x + b_side.x, a_side.y + b_side.y, a_side.z + b_side.z}, d))
     return kCheckPosition;
   const format::Int3 difference{d[0], d[1], d[2]};
   const int32_t step = format::latticeStep(difference, format_.placement_shift);
-  extent_ =
-      static_cast<uint32_t>(greatest(format::absolute(d[0]), greatest(format::absolute(d[1]), format::absolute(d[2]))));
+  extent_ = static_cast<uint32_t>(format::longest(difference));
   ring_extent_ = greatest(static_cast<uint32_t>(extent), extent_);
 
+  const format::PredictedPlacement predicted = predictPlacement(center, difference);
+  t8_ = format::eighthOfRank(t8_rank, predicted.t8);
   int64_t k[3];
-  readLattice(d, k);
+  readLattice(difference, step, predicted, k);
   const uint32_t child_a = out_->node_count, child_b = child_a + 1;
   for (uint32_t c = 0; c < 3; ++c) {
-    const int64_t b = static_cast<int64_t>(w[c]) - k[c] * step - format::eighths(d[c], t8);
+    const int64_t b = static_cast<int64_t>(w[c]) - k[c] * step - format::eighths(d[c], t8_);
     const int64_t a = b + d[c];
     if (b < 0 || a < 0 || b >> format_.position_bits || a >> format_.position_bits) return kCheckPosition;
     out_->node_position[3 * static_cast<size_t>(child_a) + c] = static_cast<uint16_t>(a);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lithe/format/octahedral_chart.h"
+#include "lithe/format/placement_prediction.h"
 #include "lithe/format/ring_prediction.h"
 #include "page_streams.h"
 #include "skin_order.h"
@@ -63,10 +64,11 @@ class SplitDecoder {
   uint32_t readRing(int32_t mode);
   uint32_t readList();
   uint32_t listedNode(uint32_t neighbour_count, uint32_t* node);
-  uint32_t placeChildren(uint32_t node, int32_t t8);
+  uint32_t placeChildren(uint32_t node, int32_t t8_rank);
+  format::PredictedPlacement predictPlacement(format::Int3 center, format::Int3 d) const;
   void sumSides(format::Int3 center, format::Int3* low_end, format::Int3* high_end);
-  bool readDifference(uint32_t extent, const format::Plane& plane, int32_t* d);
-  void readLattice(const int32_t* d, int64_t* k);
+  bool readDifference(uint32_t mean_edge, const format::Plane& plane, int32_t* d);
+  void readLattice(format::Int3 d, int32_t step, const format::PredictedPlacement& predicted, int64_t* k);
   uint32_t readClasses(uint32_t node);
   uint32_t readAttributes(uint32_t node, int32_t t8);
   bool readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
@@ -104,6 +106,7 @@ class SplitDecoder {
   NewFace ring_faces_[2]{};
   uint32_t face_count_ = 0;
   bool listed_ = false;                ///< sides and faces come from kGeneral
+  int32_t t8_ = 0;                     ///< where the node lies: eighths of the way from child B to A
   uint32_t extent_ = 0;                ///< of D, for the uvs' low bits
   uint32_t ring_extent_ = 0;           ///< of the ring and of D
   SideSum side_[2];                    ///< child A's and child B's

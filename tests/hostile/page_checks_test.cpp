@@ -118,9 +118,10 @@ TEST(PageCheck, N63_Parameters) {
   const struct {
     uint32_t parameter;
     uint8_t most;
-  } kRanges[] = {{kPositionMean, 32},   {kPositionBias, 31}, {kHeightBias, 31},      {kNormalGradient, 32},
-                 {kNormalGeometry, 32}, {kNormalShift, 15},  {kTangentGradient, 32}, {kTangentShift, 15},
-                 {kSkinGradient, 32},   {kSkinShift, 15},    {kUvGradient0, 32},     {kUvBias0 + 1, 31}};
+  } kRanges[] = {{kPositionMean, 32},   {kPositionBias, 31},   {kHeightBias, 31},  {kPlacement, 32},
+                 {kNormalGradient, 32}, {kNormalGeometry, 32}, {kNormalShift, 15}, {kTangentGradient, 32},
+                 {kTangentShift, 15},   {kSkinGradient, 32},   {kSkinShift, 15},   {kUvGradient0, 32},
+                 {kUvBias0 + 1, 31}};
   for (const auto& range : kRanges) {
     SCOPED_TRACE(range.parameter);
     expectRefusedAfter(richFile(), 1, 63, [&](PageEditor& e) { e.data.parameters[range.parameter] = range.most + 1; });

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "lithe/bake/model.h"
+#include "lithe/format/placement_prediction.h"
 
 namespace lithe::bake {
 namespace {
@@ -14,6 +15,11 @@ namespace {
 /// What is left of a difference. A position's components: two in the ring's plane, then the height over it.
 std::array<int32_t, 3> residualOf(const Residual& r, int32_t slope, int32_t geometry) {
   std::array<int32_t, 3> left = r.difference;
+  if (r.kind == Residual::Kind::kLattice) {
+    const auto step = static_cast<int32_t>(r.extent);
+    for (uint32_t i = 0; i < r.components; ++i) left[i] -= format::latticeIndex(slope, r.slope[i], step);
+    return left;
+  }
   for (uint32_t i = 0; i < r.components; ++i)
     left[i] -= format::scaled(slope, r.slope[i]) + ((geometry * r.geometry[i]) >> 4);
   if (r.kind != Residual::Kind::kPosition) return left;
@@ -99,9 +105,19 @@ class Kindred {
     return series;
   }
 
+  /// The slope's strength with which values without low bits take the fewest bits.
+  uint8_t cheapestSlope() const {
+    uint8_t best = 0;
+    double least = 1e300;
+    for (uint8_t slope = 0; slope <= kMost; slope += kStep) {
+      const double bits = series({slope}).cost(0, false);
+      if (bits < least) least = bits, best = slope;
+    }
+    return best;
+  }
+
   // One strength after the other, twice: they share what they explain.
   Strength bestStrength(bool with_geometry) const {
-    constexpr uint8_t kStep = 2, kMost = 20;
     Strength best;
     double least = series(best).magnitude();
     auto consider = [&](Strength strength) {
@@ -119,6 +135,8 @@ class Kindred {
   }
 
  private:
+  static constexpr uint8_t kStep = 2, kMost = 20;  // sixteenths
+
   std::vector<const Residual*> items_;
 };
 
@@ -156,6 +174,7 @@ void chooseParameters(const std::vector<Residual>& items, Parameters& parameters
     chooseAttribute(Kindred(items, kind, set), at, parameters);
   };
   choosePositions(items, parameters);
+  parameters[format::kPlacement] = Kindred(items, Kind::kLattice, 0).cheapestSlope();
   choose(Kind::kNormal, 0, {format::kNormalGradient, format::kNormalGeometry, format::kNormalShift, false});
   choose(Kind::kTangent, 0, {format::kTangentGradient, kNone, format::kTangentShift, false});
   choose(Kind::kSkin, 0, {format::kSkinGradient, kNone, format::kSkinShift, false});
@@ -185,6 +204,9 @@ void fillStreams(const std::vector<Residual>& items, PageData& page) {
     switch (item.kind) {
       case Residual::Kind::kPosition:
         putPosition(item);
+        break;
+      case Residual::Kind::kLattice:
+        put(item, page.streams[format::kSplits].attributes[format::kSplitLattice], {parameters[format::kPlacement]}, 0);
         break;
       case Residual::Kind::kNormal:
         put(item, page.streams[format::kNormals].attributes[0],

@@ -14,16 +14,18 @@ namespace lithe::bake {
 
 /// A difference between two children and what it may be predicted from.
 struct Residual {
-  enum class Kind : uint8_t { kPosition, kNormal, kTangent, kUv, kExtra, kSkin };
+  enum class Kind : uint8_t { kPosition, kLattice, kNormal, kTangent, kUv, kExtra, kSkin };
   Kind kind = Kind::kPosition;
   uint8_t set = 0;         ///< uv set
   uint8_t components = 1;  ///< of the arrays below
   std::array<int32_t, 3> difference{};
-  std::array<format::Slope, 3> slope{};  ///< of the neighbourhoods' means (positions) or over the ring
+  std::array<format::Slope, 3> slope{};  ///< of the neighbourhoods' means (positions), from the children's line
+                                         ///< (lattice) or over the ring
   std::array<int64_t, 3> normal{};       ///< of the ring (positions)
   std::array<int32_t, 3> geometry{};     ///< of the area normals (normals)
-  uint32_t extent =
-      0;  ///< the number of low bits follows it: the ring's size, |D| for uvs; the number itself for extras
+  /// What the number of low bits follows: the ring's mean edge, |D| for uvs; the number itself for extras. Of a lattice
+  /// index, which has none, the lattice's step.
+  uint32_t extent = 0;
 };
 
 /// The number of low bits with which values take the fewest bits: high parts entropy coded, low bits raw.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "lithe/format/placement.h"
+#include "lithe/format/placement_prediction.h"
 
 namespace lithe::bake {
 namespace {
@@ -155,7 +155,6 @@ bool SplitEncoder::tryRing(Plan& plan, const format::Fan& fan, const format::Rin
 
 void SplitEncoder::writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
   auto& splits = page_.streams[format::kSplits].attributes;
-  splits[format::kSplitT8].values.push_back(plan.t8);
   splits[format::kSplitMode].values.push_back(plan.mode);
   const bool listed = ring.kind == format::RingKind::kIrregular || plan.mode == format::kModeGeneral;
   if (!listed) {
@@ -199,8 +198,7 @@ void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, cons
   glm::ivec3 least = h.position[hierarchy_node], greatest = least;
   format::AreaNormal normal;
   for (uint32_t i = 0; i < fan.count; ++i) {
-    normal.add(positionOf(hierarchy_node), positionOf(cut_.node_hierarchy[fan.next[i]]),
-               positionOf(cut_.node_hierarchy[fan.previous[i]]));
+    normal.add(positionOf(hierarchy_node), filePosition(fan.next[i]), filePosition(fan.previous[i]));
     auto& sum = plan.at_b[i] ? sum_b : sum_a;
     (plan.at_b[i] ? count_b : count_a) += 2;
     for (uint32_t neighbour : {fan.next[i], fan.previous[i]}) {
@@ -210,27 +208,53 @@ void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, cons
       greatest = glm::max(greatest, p);
     }
   }
-  const glm::ivec3 spread = greatest - least, b = h.position[plan.b], d = h.position[plan.a] - b;
+  const glm::ivec3 spread = greatest - least;
+  const format::Int3 d = format::minus(positionOf(plan.a), positionOf(plan.b));
   Residual residual;
   residual.components = 3;
-  residual.extent = static_cast<uint32_t>(std::max({spread.x, spread.y, spread.z}));
+  residual.extent =
+      format::meanEdge(fan, positionOf(hierarchy_node), [&](uint32_t i) { return filePosition(fan.next[i]); });
   residual.difference = {d.x, d.y, d.z};
   for (size_t c = 0; c < 3; ++c) residual.slope[c] = format::meanDifference(sum_a[c], count_a, sum_b[c], count_b);
   residual.normal = {normal.x, normal.y, normal.z};
   residuals_.add(residual);
-  const glm::ivec3 size = glm::abs(d);
-  extent_ = std::max(residual.extent, static_cast<uint32_t>(std::max({size.x, size.y, size.z})));
+  extent_ = static_cast<uint32_t>(std::max({spread.x, spread.y, spread.z, format::longest(d)}));
+  writePlacement(hierarchy_node, plan, fan);
+}
 
-  const format::Int3 difference{d.x, d.y, d.z};
-  const format::Int3 centre = format::pointBetween({b.x, b.y, b.z}, difference, plan.t8);
-  const int32_t step = format::latticeStep(difference, settings_.placement_shift);
-  const glm::ivec3 k = (h.position[hierarchy_node] - glm::ivec3(centre.x, centre.y, centre.z)) / step;
+format::PredictedPlacement SplitEncoder::predictPlacement(uint32_t hierarchy_node, const Plan& plan,
+                                                          const format::Fan& fan) const {
+  if (fan.count > format::kMaxRing) return {};
+  const format::Int3 center = positionOf(hierarchy_node);
+  format::PlacementSums sums(format::minus(positionOf(plan.a), positionOf(plan.b)), extent_);
+  for (uint32_t i = 0; i < fan.count; ++i)
+    sums.addFan(plan.at_b[i] ? 1 : 0, format::minus(filePosition(fan.next[i]), center),
+                format::minus(filePosition(fan.previous[i]), center));
+  for (const NewFace& face : plan.faces)
+    if (face.ring_at != kNone) sums.addCut(format::minus(filePosition(face.third), center), face.first_is_a);
+  return sums.solve();
+}
+
+void SplitEncoder::writePlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) {
+  const format::PredictedPlacement predicted = predictPlacement(hierarchy_node, plan, fan);
+  const format::Int3 b = positionOf(plan.b), d = format::minus(positionOf(plan.a), b);
+  const int32_t step = format::latticeStep(d, settings_.placement_shift);
+  const format::Int3 from = format::minus(positionOf(hierarchy_node), format::pointBetween(b, d, plan.t8));
+  const int32_t k[3] = {from.x / step, from.y / step, from.z / step};
   const format::Plane across(d.x, d.y, d.z);
-  const int32_t k_across[2] = {k[static_cast<int>(across.across[0])], k[static_cast<int>(across.across[1])]};
+  Residual lattice;
+  lattice.kind = Residual::Kind::kLattice;
+  lattice.components = 2;
+  lattice.extent = static_cast<uint32_t>(step);
+  for (size_t c = 0; c < 2; ++c) {
+    lattice.difference[c] = k[across.across[c]];
+    lattice.slope[c] = predicted.across[across.across[c]];
+  }
+  residuals_.add(lattice);
   auto& splits = page_.streams[format::kSplits].attributes;
-  for (int32_t index : k_across) splits[format::kSplitLattice].values.push_back(index);
+  splits[format::kSplitT8].values.push_back(format::rankOfEighth(plan.t8, predicted.t8));
   splits[format::kSplitLatticeHeight].values.push_back(
-      static_cast<int32_t>(k[static_cast<int>(across.axis)] + across.lift(k_across[0], k_across[1])));
+      static_cast<int32_t>(k[across.axis] + across.lift(lattice.difference[0], lattice.difference[1])));
 }
 
 std::vector<uint32_t> SplitEncoder::membersOf(uint32_t hierarchy_wedge, uint32_t child) const {

@@ -6,6 +6,7 @@
 #include "cut.h"
 #include "lithe/bake/octahedral_difference.h"
 #include "lithe/format/octahedral_chart.h"
+#include "lithe/format/placement_prediction.h"
 #include "page_streams.h"
 #include "residuals.h"
 #include "skin_code.h"
@@ -58,6 +59,8 @@ class SplitEncoder {
   bool tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, int32_t mode) const;
   void writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring);
   void writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
+  format::PredictedPlacement predictPlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) const;
+  void writePlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
   void writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
   void writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan, const format::Fan& fan);
   void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,

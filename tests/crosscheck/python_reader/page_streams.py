@@ -6,7 +6,7 @@ from refused import demand
 
 BASE, SPLITS = 0, 1
 SIGNED, UNSIGNED = True, False
-PARAMETER_BYTES = 26
+PARAMETER_BYTES = 27
 MAX_SETS = 8
 NODES, INFLUENCES, WEDGES, FACES = range(4)
 (FLAGS_OLD, FLAGS_NEW, SPLIT, CUT_3, CUT_4, CUT_5, CUT_6, CUT_7, CUT_8, CUT_9, CUT_OPEN, GENERAL, CLASSES_BOTH,
@@ -21,11 +21,12 @@ class Parameters:
     """The strengths, biases and shifts of a page."""
 
     def __init__(self, data, info, kind):
-        (self.position_mean, self.position_bias, self.height_bias, self.normal_gradient, self.normal_geometry,
-         self.normal_shift, self.tangent_gradient, self.tangent_shift, self.skin_gradient, self.skin_shift) = data[:10]
-        self.uv_gradient, self.uv_bias = data[10:18], data[18:26]
-        self.strengths = [self.position_mean, self.normal_gradient, self.normal_geometry, self.tangent_gradient,
-                          self.skin_gradient, *self.uv_gradient]
+        (self.position_mean, self.position_bias, self.height_bias, self.placement, self.normal_gradient,
+         self.normal_geometry, self.normal_shift, self.tangent_gradient, self.tangent_shift, self.skin_gradient,
+         self.skin_shift) = data[:11]
+        self.uv_gradient, self.uv_bias = data[11:19], data[19:27]
+        self.strengths = [self.position_mean, self.placement, self.normal_gradient, self.normal_geometry,
+                          self.tangent_gradient, self.skin_gradient, *self.uv_gradient]
         self.check_ranges()
         self.check_absent(info)
         if kind == BASE:

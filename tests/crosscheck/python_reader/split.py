@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 """One split: sides of its fan, positions of its children, new faces (docs/format.md, sections 4.1 to 4.3 and 4.5)."""
 from attribute_split import split_wedges
-from integers import between, cross, from_plane, largest, low_bits, minus, plus, predicted
+from integers import between, cross, from_plane, largest, low_bits, main_axis, minus, plus, predicted
 from page_streams import CLASS_PICKS, CUT_3, CUT_9, CUT_OPEN, GENERAL, MEMBER_PICKS, SPLIT, THIRD_PICKS
+from placement import Placement, eighth_of_rank
 from refused import demand
 from ring import CLOSED, IRREGULAR, MAX_RING, OPEN, Fan
 from skin_split import split_skin
@@ -49,12 +50,11 @@ class Split:
 
     def carry_out(self):
         """Reads everything and adds the children, their wedges and faces."""
-        t8, *rest = self.page.streams[SPLIT].row()
+        rank, *rest = self.page.streams[SPLIT].row()
         lattice, (mode, skin_mode), position = rest[:3], rest[3:5], rest[5:]
-        demand(t8 <= 8 and mode <= LISTED and skin_mode <= 2, 72, "t8, mode or skin mode is out of range")
-        self.t8 = t8
+        demand(rank <= 8 and mode <= LISTED and skin_mode <= 2, 72, "t8's rank, mode or skin mode is out of range")
         self.read_sides(mode)
-        self.place(lattice, position)
+        self.place(rank, lattice, position)
         hierarchy = self.hierarchy
         self.children = [hierarchy.add_node(point, [], 73) for point in self.points]
         self.node.children = tuple(self.children)
@@ -158,23 +158,49 @@ class Split:
             normal = plus(normal, cross(minus(following, self.node.position), minus(previous, self.node.position)))
         return normal
 
+    def mean_edge(self):
+        lengths = [largest(minus(following, self.node.position)) for following in self.ring_positions[::2]]
+        return sum(lengths) // len(lengths) if lengths else 0
+
     def read_d(self, position):
         parameters, page = self.page.parameters, self.page
-        in_plane = [page.split_value(high, low_bits(self.extent, parameters.position_bias)) for high in position[:2]]
-        height = page.split_value(position[2], low_bits(self.extent, parameters.height_bias))
+        edge = self.mean_edge()
+        in_plane = [page.split_value(high, low_bits(edge, parameters.position_bias)) for high in position[:2]]
+        height = page.split_value(position[2], low_bits(edge, parameters.height_bias))
         demand(largest(in_plane) < 1 << 18, 73, "R is too large")
         (sum_a, count_a), (sum_b, count_b) = self.side_sums(A), self.side_sums(B)
         prediction = [predicted(parameters.position_mean, a * count_b - b * count_a, count_a * count_b)
                       for a, b in zip(sum_a, sum_b)]
         return plus(from_plane(self.area_normal(), in_plane, height), prediction)
 
-    def place(self, lattice, position):
-        """D and the children's positions."""
+    def likely_placement(self):
+        """None with too many corners."""
+        if len(self.fan.spokes) > MAX_RING:
+            return None
+        placement = Placement(self.d, self.extent)
+        places = [placement.shortened(minus(point, self.node.position)) for point in self.ring_positions]
+        for side, following, previous in zip(self.sides, places[::2], places[1::2]):
+            placement.add(placement.children[side], following, previous)
+        for face in self.new_faces:
+            c = placement.shortened(minus(self.hierarchy.nodes[face.c].position, self.node.position))
+            placement.add(placement.children[face.first], c, placement.children[1 - face.first])
+        placement.solve()
+        return placement
+
+    def place(self, rank, lattice, position):
+        """D, t8 and the children's positions."""
         self.d = self.read_d(position)
         demand(largest(self.d) < self.hierarchy.info.grid_size, 73, "D is beyond the grid")
-        k = from_plane(self.d, lattice[:2], lattice[2])
         length = largest(self.d) >> self.hierarchy.info.placement_shift
         step = 1 << max(0, length.bit_length() - 1)
+        likely = self.likely_placement()
+        self.t8 = eighth_of_rank(rank, likely.t if likely else 4)
+        in_plane = lattice[:2]
+        if likely:
+            axes = main_axis(self.d)[1:]
+            in_plane = [value + likely.index(axis, self.page.parameters.placement, step)
+                        for value, axis in zip(in_plane, axes)]
+        k = from_plane(self.d, in_plane, lattice[2])
         b = tuple(w - factor * step - between(d, self.t8) for w, factor, d in zip(self.node.position, k, self.d))
         self.points = plus(b, self.d), b
 

@@ -30,7 +30,8 @@ enum BaseStream : uint32_t {
 enum SplitStream : uint32_t {
   kFlagsOld,  ///< per node of an earlier level: split (1) or not (0)
   kFlagsNew,  ///< per node created by this level: split or not
-  kSplits,    ///< per split: t8 | lattice k across | lattice height | mode | skin mode | D residual across | height
+  kSplits,    ///< per split: rank of t8 | lattice k across | lattice height | mode | skin mode | D residual across |
+              ///< height
   kCut3,      ///< per split with a closed ring of 3 edges: the pair of cut vertices; likewise 4, 5, 6, 7, 8, 9 or more
   kCut4,
   kCut5,
@@ -107,7 +108,7 @@ constexpr uint32_t baseStreamAttributes(uint32_t stream, WedgeAttributes has, St
 constexpr uint32_t splitStreamAttributes(uint32_t stream, WedgeAttributes has, StreamAttribute* out) {
   uint32_t n = 0;
   if (stream == kSplits) {
-    out[n++] = {1, true};   // t8
+    out[n++] = {1, true};   // rank of t8
     out[n++] = {2, false};  // lattice k across D
     out[n++] = {1, false};  // lattice k along D
     out[n++] = {1, true};   // mode
@@ -131,8 +132,9 @@ constexpr uint32_t splitStreamAttributes(uint32_t stream, WedgeAttributes has, S
 /// Page parameters, one byte each; those of attributes that the asset lacks are zero.
 enum Parameter : uint32_t {
   kPositionMean,     ///< prediction of D: sixteenths of the difference of the children's neighbourhoods [0, 32]
-  kPositionBias,     ///< low bits of a D residual = max(0, bit length of the ring's extent - bias) [0, 31]
+  kPositionBias,     ///< low bits of a D residual = max(0, bit length of the ring's edges - bias) [0, 31]
   kHeightBias,       ///< the same for its height over the ring's plane
+  kPlacement,        ///< prediction of the lattice indices: sixteenths of what the children's planes say [0, 32]
   kNormalGradient,   ///< prediction of normals: sixteenths of the slope over the ring [0, 32]
   kNormalGeometry,   ///< and of the difference of the children's area normals [0, 32]
   kNormalShift,      ///< low bits of a normal's residual [0, 15]
@@ -238,6 +240,14 @@ struct Fan {
 };
 
 enum class RingKind { kClosed, kOpen, kIrregular };
+
+/// The mean length of the edges to the next corners' nodes, each as its longest component; 0 without any.
+template <class NextPosition>
+constexpr uint32_t meanEdge(const Fan& fan, Int3 center, const NextPosition& next_position) {
+  int64_t sum = 0;
+  for (uint32_t i = 0; i < fan.count; ++i) sum += longest(minus(next_position(i), center));
+  return fan.count ? static_cast<uint32_t>(sum / fan.count) : 0;
+}
 
 /// A fan put in order: edge i runs from vertex i to vertex i + 1 (modulo count when closed; an open ring has count + 1
 /// vertices).

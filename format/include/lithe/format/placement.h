@@ -23,12 +23,17 @@ constexpr int32_t eighths(int32_t d, int32_t t8) { return (t8 * d + 4) >> 3; }
 
 constexpr int32_t absolute(int32_t x) { return x < 0 ? -x : x; }
 
+/// The absolute value of the longest component.
+constexpr int32_t longest(Int3 v) {
+  const int32_t xy = absolute(v.x) > absolute(v.y) ? absolute(v.x) : absolute(v.y);
+  return absolute(v.z) > xy ? absolute(v.z) : xy;
+}
+
 /// The placement lattice's step for a difference D: the largest power of two that is at most max(|D|) / 2^shift, and at
 /// least 1. shift is a property of the file (the bake's --precision); a large shift means that every grid point can be
 /// hit.
 constexpr int32_t latticeStep(Int3 d, uint32_t shift) {
-  int32_t extent = absolute(d.x) > absolute(d.y) ? absolute(d.x) : absolute(d.y);
-  if (absolute(d.z) > extent) extent = absolute(d.z);
+  const int32_t extent = longest(d);
   if (shift > 30) return 1;
   int32_t step = 1;
   while (step <= (extent >> shift) / 2) step *= 2;

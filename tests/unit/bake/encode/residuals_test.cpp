@@ -22,18 +22,22 @@ constexpr format::WedgeAttributes kHas{true, true, 2, 0};
 
 Residual randomResidual(test::Random& random) {
   Residual r;
-  r.kind = static_cast<Kind>(random.below(6));
+  r.kind = static_cast<Kind>(random.below(7));
   r.components = r.kind == Kind::kPosition ? 3 : r.kind == Kind::kExtra || r.kind == Kind::kSkin ? 1 : 2;
   r.set = r.kind == Kind::kUv ? static_cast<uint8_t>(random.below(2)) : uint8_t{0};
   r.extent = r.kind == Kind::kExtra ? (random.chance(50) ? format::kExtraLowBits : 0u) : random.octave(8000);
-  const int32_t width = r.kind == Kind::kExtra ? 200 : static_cast<int32_t>(r.extent) / 2;
+  if (r.kind == Kind::kLattice) r.extent = 1u << random.below(6);
+  const int32_t width = r.kind == Kind::kLattice ? 40
+                        : r.kind == Kind::kExtra ? 200
+                                                 : static_cast<int32_t>(r.extent) / 2;
   const bool predictable = r.kind != Kind::kExtra && random.chance(80);
   for (uint32_t i = 0; i < r.components; ++i) {
     r.difference[i] = random.between(-width, width);
     if (!predictable) continue;
     // A slope that tells half of the difference, and for normals a geometry that tells a quarter.
     const int64_t den = 1 + random.below(1000);
-    r.slope[i] = {den * (r.difference[i] / 2 + random.between(-3, 3)), den};
+    const int64_t unit = r.kind == Kind::kLattice ? r.extent : 1;
+    r.slope[i] = {den * unit * (r.difference[i] / 2 + random.between(-3, 3)), den};
     if (r.kind == Kind::kNormal) r.geometry[i] = r.difference[i] / 4;
   }
   if (r.kind == Kind::kPosition)
@@ -44,6 +48,7 @@ Residual randomResidual(test::Random& random) {
 uint32_t streamOf(const Residual& r) {
   switch (r.kind) {
     case Kind::kPosition:
+    case Kind::kLattice:
       return format::kSplits;
     case Kind::kNormal:
       return format::kNormals;
@@ -68,6 +73,8 @@ Rule ruleOf(const PageData& page, const Residual& r) {
   switch (r.kind) {
     case Kind::kPosition:
       return {format::lowBits(r.extent, p[format::kPositionBias]), p[format::kPositionMean]};
+    case Kind::kLattice:
+      return {0, p[format::kPlacement]};
     case Kind::kNormal:
       return {p[format::kNormalShift], p[format::kNormalGradient], p[format::kNormalGeometry]};
     case Kind::kTangent:
@@ -92,12 +99,15 @@ class ResidualReader {
     if (r.kind == Kind::kPosition)
       value = readPosition(r, rule.low);
     else
-      for (uint32_t c = 0; c < r.components; ++c) value[c] = next(streamOf(r), 0, rule.low);
+      for (uint32_t c = 0; c < r.components; ++c)
+        value[c] = next(streamOf(r), r.kind == Kind::kLattice ? uint32_t{format::kSplitLattice} : 0u, rule.low);
     for (uint32_t c = 0; c < r.components; ++c) {
       const double exact = r.slope[c].den > 0 ? rule.slope * static_cast<double>(r.slope[c].num) /
                                                     (16.0 * static_cast<double>(r.slope[c].den))
                                               : 0.0;
-      value[c] += static_cast<int32_t>(std::floor(exact)) +
+      // A lattice index is in steps, and rounded.
+      const double share = r.kind == Kind::kLattice ? exact / r.extent + 0.5 : exact;
+      value[c] += static_cast<int32_t>(std::floor(share)) +
                   static_cast<int32_t>(std::floor(rule.geometry * r.geometry[c] / 16.0));
     }
     return value;
@@ -164,9 +174,9 @@ PageData pageOf(int count, format::WedgeAttributes has, const Make& make) {
 TEST(Residuals, ParametersStayInTheirRanges) {
   test::Random random(8);
   const PageData page = pageOf(300, kHas, [&](int) { return randomResidual(random); });
-  for (uint32_t i :
-       {uint32_t{format::kPositionMean}, uint32_t{format::kNormalGradient}, uint32_t{format::kNormalGeometry},
-        uint32_t{format::kTangentGradient}, uint32_t{format::kSkinGradient}, format::kUvGradient0 + 1u})
+  for (uint32_t i : {uint32_t{format::kPositionMean}, uint32_t{format::kPlacement}, uint32_t{format::kNormalGradient},
+                     uint32_t{format::kNormalGeometry}, uint32_t{format::kTangentGradient},
+                     uint32_t{format::kSkinGradient}, format::kUvGradient0 + 1u})
     EXPECT_LE(page.parameters[i], 32) << i;
   for (uint32_t i : {uint32_t{format::kPositionBias}, uint32_t{format::kHeightBias}, uint32_t{format::kUvBias0},
                      format::kUvBias0 + 1u})

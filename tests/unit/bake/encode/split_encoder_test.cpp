@@ -128,9 +128,10 @@ TEST(SplitEncoder, ChildrenAreNumberedOneAfterTheOther) {
 TEST(SplitEncoder, TetrahedronByHand) {
   Tetrahedron tetrahedron;
   Encoding& e = tetrahedron.splitAll();
-  // t8 counts from child B; the first two splits call child 0 A, the third child 1.
-  EXPECT_EQ(e.first(format::kSplits, format::kSplitT8), (Values{8, 6, 4}));
-  EXPECT_EQ(e.first(format::kSplits, format::kSplitLattice), Values(6, 0));  // every parent lies where its t8 says
+  // t8 counts from child B: 8, 6 and 4, as the first two splits call child 0 A, the third child 1. Without a face 4 is
+  // expected; the two faces of the third split have (0, 0, 8) and (0, 8, 0) beyond child B and expect 2.
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitT8),
+            (Values{format::rankOfEighth(8, 4), format::rankOfEighth(6, 4), format::rankOfEighth(4, 2)}));
   EXPECT_EQ(e.first(format::kSplits, format::kSplitMode), (Values{0, 0, 0}));
   // Fans without corners: no corner at B, no face; then two faces (4, 3, 2) and (2, 3, 4) to node 2 (vertex 3), which
   // no corner names: rank 0, id 0 and 2.
@@ -138,6 +139,8 @@ TEST(SplitEncoder, TetrahedronByHand) {
   // The third split has a ring of two edges, cut at both of its vertices.
   EXPECT_EQ(e.first(format::kCut3), Values{0});
   EXPECT_EQ(e.encoder.page().max_fan, 2u);
+  const PageData page = e.encoder.finish();
+  EXPECT_EQ(page.streams[format::kSplits].attributes[format::kSplitLattice].values, Values(6, 0));  // none was moved
 }
 
 TEST(SplitEncoder, AFullSplitGivesTheMeshBack) {
@@ -188,7 +191,7 @@ TEST(SplitEncoder, ABoundaryEdgeIsACutOfAnOpenRing) {
   Encoding e(mesh, list.sequence);
   e.encoder.split(e.cut.file_node[7]);
   // Ring 2, 3, 4 of two edges, both at child 0, which is B: the cut is at its beginning.
-  EXPECT_EQ(e.first(format::kSplits, format::kSplitT8), Values{8});
+  EXPECT_EQ(e.first(format::kSplits, format::kSplitT8), Values{format::rankOfEighth(8, 4)});  // a flat patch
   EXPECT_EQ(e.first(format::kSplits, format::kSplitMode), Values{format::kModeRing});
   EXPECT_EQ(e.first(format::kCutOpen), Values{0});
   EXPECT_TRUE(e.first(format::kGeneral).empty());
@@ -213,8 +216,10 @@ TEST(SplitEncoder, TheLatticeIndexSaysHowFarTheParentLiesFromItsEighths) {
   Encoding e(mesh, list.sequence, 0);
   e.encoder.split(e.cut.file_node[4]);
   // D lies along x: two indices across it, and the third as it is.
-  EXPECT_EQ(e.first(format::kSplits, format::kSplitLattice), (Values{2, 0}));
   EXPECT_EQ(e.first(format::kSplits, format::kSplitLatticeHeight), Values{1});
+  const PageData page = e.encoder.finish();
+  ASSERT_EQ(page.parameters[format::kPlacement], 0);  // one split is no reason to predict
+  EXPECT_EQ(page.streams[format::kSplits].attributes[format::kSplitLattice].values, (Values{2, 0}));
 }
 
 TEST(SplitEncoder, AFinishedPageLeavesAnEmptyOne) {
