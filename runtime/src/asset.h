@@ -73,4 +73,19 @@ inline float bindCoordinate(const Info& info, uint32_t axis, float grid) {
   return info.grid_origin[axis] + info.grid_step * grid;
 }
 
+/// In bind space, of the grid's cells that the joint's box covers. False for a joint without one: least > greatest
+/// then.
+inline bool jointBox(const Head& head, uint32_t joint, float* least, float* greatest) {
+  const uint8_t* p = head.joints.record(joint);
+  const uint32_t cell_bits = format::joint::boxCellBits(head.info.position_bits);
+  bool any = true;
+  for (uint32_t c = 0; c < 3; ++c) {
+    const uint32_t first = p[format::joint::kBoxMinAt + c], last = p[format::joint::kBoxMaxAt + c];
+    any = any & (first <= last);
+    least[c] = bindCoordinate(head.info, c, static_cast<float>(first << cell_bits));
+    greatest[c] = bindCoordinate(head.info, c, static_cast<float>(((last + 1) << cell_bits) - 1));
+  }
+  return any;
+}
+
 }  // namespace lithe::runtime

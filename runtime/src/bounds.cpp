@@ -15,18 +15,6 @@ struct Box {
   float least[3], greatest[3];
 };
 
-bool readJointBox(const Head& head, uint32_t joint, Box* box) {
-  const uint8_t* p = head.joints.record(joint);
-  for (uint32_t c = 0; c < 3; ++c) {
-    const uint32_t least = format::loadU16(p + format::joint::kBoxMinAt + 2 * c);
-    const uint32_t greatest = format::loadU16(p + format::joint::kBoxMaxAt + 2 * c);
-    if (least > greatest) return false;
-    box->least[c] = bindCoordinate(head.info, c, static_cast<float>(least));
-    box->greatest[c] = bindCoordinate(head.info, c, static_cast<float>(greatest));
-  }
-  return true;
-}
-
 float magnitude(float x) { return x < 0 ? -x : x; }
 
 /// The box of a transformed box: its centre goes through the matrix, its half extent through the matrix of magnitudes
@@ -58,7 +46,7 @@ void lithe_asset_posed_box(const lithe_asset* asset, const float* palette, float
   Box all = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
   for (uint32_t joint = 0; joint < asset->head.joints.count; ++joint) {
     Box bind;
-    if (!readJointBox(asset->head, joint, &bind)) continue;
+    if (!jointBox(asset->head, joint, bind.least, bind.greatest)) continue;
     const Box posed = transformed(bind, palette + 12 * size_t{joint});
     for (uint32_t c = 0; c < 3; ++c) {
       if (posed.least[c] < all.least[c]) all.least[c] = posed.least[c];

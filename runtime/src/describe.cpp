@@ -20,8 +20,8 @@ struct Linear {
 
 Linear linearOf(const lithe_asset& asset, uint32_t form, const uint8_t* kept_rotation) {
   Linear out;
-  float kept[3];
-  loadFloats(kept_rotation, 3, kept);
+  const uint64_t fields = loadU64(kept_rotation);
+  const float kept[3] = {rotationComponent(fields, 0), rotationComponent(fields, 1), rotationComponent(fields, 2)};
   wholeRotation(formLeftOut(form), kept, out.rotation);
   loadFloats(asset.head.scales.record(formScale(form)), 6, out.scale);
   return out;
@@ -93,10 +93,7 @@ lithe_result lithe_asset_joint(const lithe_asset* asset, uint32_t index, lithe_j
   loadFloats(p + joint::kTranslationAt, 3, translation);
   const Linear linear = linearOf(*asset, loadU16(p + joint::kFormAt), p + joint::kRotationAt);
   matrixOf(linear.rotation, linear.scale, translation, out->inverse_bind);
-  for (uint32_t c = 0; c < 3; ++c) {
-    out->box_min[c] = bindCoordinate(asset->head.info, c, loadU16(p + joint::kBoxMinAt + 2 * c));
-    out->box_max[c] = bindCoordinate(asset->head.info, c, loadU16(p + joint::kBoxMaxAt + 2 * c));
-  }
+  jointBox(asset->head, index, out->box_min, out->box_max);
   return LITHE_OK;
 }
 

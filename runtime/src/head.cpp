@@ -47,16 +47,15 @@ bool allZero(const uint8_t* begin, const uint8_t* end) {
 Refusal corrupt(uint32_t check, uint64_t offset) { return {LITHE_ERROR_CORRUPT, check, offset}; }
 
 struct Entry {
-  uint32_t id, flags, offset, record_bytes, record_count, reserved;
+  uint32_t id, flags, record_bytes, offset, record_count;
 
   uint64_t end() const { return offset + static_cast<uint64_t>(record_bytes) * record_count; }
 };
 
 Entry readEntry(const uint8_t* bytes, uint32_t index) {
   const uint8_t* p = bytes + header::kBytes + index * directory::kBytes;
-  return {loadU32(p + directory::kIdAt),          loadU32(p + directory::kFlagsAt),
-          loadU32(p + directory::kOffsetAt),      loadU32(p + directory::kRecordBytesAt),
-          loadU32(p + directory::kRecordCountAt), loadU32(p + directory::kReservedAt)};
+  return {loadU32(p + directory::kIdAt), loadU16(p + directory::kFlagsAt), loadU16(p + directory::kRecordBytesAt),
+          loadU32(p + directory::kOffsetAt), loadU32(p + directory::kRecordCountAt)};
 }
 
 uint64_t entryOffset(uint32_t index) { return header::kBytes + index * directory::kBytes; }
@@ -78,7 +77,7 @@ bool occursBefore(const uint8_t* bytes, uint32_t index, uint32_t id) {
 Refusal checkEntry(const Head& head, uint32_t index, uint64_t* end) {
   const Entry entry = readEntry(head.bytes, index);
   const uint64_t at = entryOffset(index);
-  if ((entry.flags & ~directory::kOptional) || entry.reserved || entry.record_bytes == 0 || entry.offset % 8)
+  if ((entry.flags & ~directory::kOptional) || entry.record_bytes == 0 || entry.offset % 8)
     return corrupt(kCheckEntry, at);
   if (const Refusal refusal = checkPlace(head, entry, at, end)) return refusal;
   const bool known = expectedOf(entry.id) != nullptr;

@@ -101,10 +101,11 @@ Refusal checkScales(const Head& head) {
   return {};
 }
 
-/// Three components of a unit quaternion: its square is not above one (that of an infinity or no number is not below).
+/// Three components of a unit quaternion: the sum of their squares is not above one.
 bool isPartOfUnit(const uint8_t* p) {
-  const float x = loadF32(p), y = loadF32(p + 4), z = loadF32(p + 8);
-  return x * x + y * y + z * z <= 1.0f;
+  const uint64_t fields = loadU64(p);
+  const float x = rotationComponent(fields, 0), y = rotationComponent(fields, 1), z = rotationComponent(fields, 2);
+  return fields >> (3 * kRotationFieldBits) == 0 && x * x + y * y + z * z <= 1.0f;
 }
 
 bool isPure(const Head& head, uint32_t index) {
@@ -124,11 +125,10 @@ Refusal checkSceneNodes(const Head& head) {
   return {};
 }
 
-bool jointBoxIsSound(const Head& head, const uint8_t* p) {
+bool jointBoxIsSound(const uint8_t* p) {
   for (uint32_t c = 0; c < 3; ++c) {
-    const uint32_t least = loadU16(p + joint::kBoxMinAt + 2 * c), greatest = loadU16(p + joint::kBoxMaxAt + 2 * c);
-    const bool unused = least == 65535 && greatest == 0;
-    if (!unused && (least > greatest || greatest >> head.info.position_bits)) return false;
+    const uint32_t least = p[joint::kBoxMinAt + c], greatest = p[joint::kBoxMaxAt + c];
+    if (least > greatest && !(least == 255 && greatest == 0)) return false;
   }
   return true;
 }
@@ -136,7 +136,7 @@ bool jointBoxIsSound(const Head& head, const uint8_t* p) {
 Refusal checkJoints(const Head& head) {
   for (uint32_t i = 0; i < head.joints.count; ++i) {
     const uint8_t* p = head.joints.record(i);
-    if (loadU16(p + joint::kNodeAt) >= head.nodes.count || !jointBoxIsSound(head, p) ||
+    if (loadU16(p + joint::kNodeAt) >= head.nodes.count || !jointBoxIsSound(p) ||
         formScale(loadU16(p + joint::kFormAt)) >= head.scales.count || !areFinite(p + joint::kTranslationAt, 3) ||
         !isPartOfUnit(p + joint::kRotationAt))
       return corrupt(head, kCheckJoint, p);
@@ -156,7 +156,7 @@ Refusal checkParts(const Head& head) {
     const uint8_t* p = head.parts.record(i);
     if (loadU32(p + part::kNameAt) >= head.names.count ||
         !isIndexOrNone(loadU32(p + part::kMaterialAt), head.materials.count) ||
-        !isIndexOrNone(loadU32(p + part::kRigidNodeAt), head.nodes.count) || loadU32(p + part::kReservedAt) != 0)
+        !isIndexOrNone(loadU32(p + part::kRigidNodeAt), head.nodes.count))
       return corrupt(head, kCheckPart, p);
   }
   return {};
@@ -276,8 +276,7 @@ Refusal checkPageLimits(const Head& head) {
     const PageEntry entry = readPageEntry(p);
     if ((i == 0 && entry.wedge_count > limits::kBaseWedges) || entry.max_fan > kMaxMaxFan)
       return beyondLimit(head, kCheckPageLimits, p);
-    if (entry.values > mostValues(head.info, previous, entry) || loadU32(p + page::kReservedAt) != 0)
-      return corrupt(head, kCheckPageLimits, p);
+    if (entry.values > mostValues(head.info, previous, entry)) return corrupt(head, kCheckPageLimits, p);
     previous = entry;
   }
   return {};

@@ -171,7 +171,9 @@ TEST_F(WholeFile, EveryNumberOfTheDirectoryAtItsEnds) {
     for (uint32_t at = 0; at < directory::kBytes; at += 4)
       for (const uint32_t value : kEnds) {
         LitheFile file(bytes);
-        storeU32(file.head.data() + header::kBytes + entry * directory::kBytes + at, value);
+        uint8_t* number = file.head.data() + header::kBytes + entry * directory::kBytes + at;
+        if (loadU32(number) == value) continue;
+        storeU32(number, value);
         EXPECT_TRUE(outcomeOf(file.bytes(), kMemory).levels.empty() || value <= 1 || at == directory::kRecordCountAt);
       }
 }

@@ -216,7 +216,10 @@ class HandMade {
     for (uint32_t c = 0; c < 3; ++c) storeU32(p + info::kGridMaxAt + 4 * c, (1u << shape_.position_bits) - 1);
   }
 
-  static constexpr uint16_t kWLeftOut = 3u << format::kFormScaleBits;  // no rotation, the first scale
+  static constexpr uint16_t kWLeftOut = 3u << format::kFormScaleBits;  // the first scale
+  static constexpr uint64_t kCenter = format::kRotationCenter;
+  static constexpr uint64_t kNoRotation =
+      kCenter | kCenter << format::kRotationFieldBits | kCenter << (2 * format::kRotationFieldBits);
 
   void addSkeleton(HeadBuilder& builder) {
     using namespace format;
@@ -226,6 +229,7 @@ class HandMade {
       storeU32(n + node::kNameAt, name);
       storeU16(n + node::kParentAt, static_cast<uint16_t>(j ? j - 1 : node::kNoParent));
       storeU16(n + node::kFormAt, kWLeftOut);
+      storeU64(n + node::kRotationAt, kNoRotation);
       storeF32(n + node::kTranslationAt, static_cast<float>(j));
       addJoint(builder, j);
     }
@@ -238,6 +242,7 @@ class HandMade {
     uint8_t* p = builder.add(joint::kId, joint::kBytes);
     storeU16(p + joint::kNodeAt, static_cast<uint16_t>(j));
     storeU16(p + joint::kFormAt, kWLeftOut);
+    storeU64(p + joint::kRotationAt, kNoRotation);
     for (uint32_t c = 0; c < 3; ++c) {
       int32_t least = 65535, greatest = 0;
       for (const HandNode& n : nodes)
@@ -246,8 +251,9 @@ class HandMade {
             least = std::min(least, n.position[c]);
             greatest = std::max(greatest, n.position[c]);
           }
-      storeU16(p + joint::kBoxMinAt + 2 * c, static_cast<uint16_t>(least));
-      storeU16(p + joint::kBoxMaxAt + 2 * c, static_cast<uint16_t>(greatest));
+      const uint32_t cell_bits = joint::boxCellBits(shape_.position_bits);
+      p[joint::kBoxMinAt + c] = static_cast<uint8_t>(std::min(least >> cell_bits, 255));
+      p[joint::kBoxMaxAt + c] = static_cast<uint8_t>(greatest >> cell_bits);
     }
   }
 

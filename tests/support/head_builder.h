@@ -32,7 +32,7 @@ inline ChunkPlace findChunk(const std::vector<uint8_t>& head, uint32_t id) {
     const uint32_t at = format::header::kBytes + i * format::directory::kBytes;
     if (format::loadU32(head.data() + at + format::directory::kIdAt) != id) continue;
     return {at, format::loadU32(head.data() + at + format::directory::kOffsetAt),
-            format::loadU32(head.data() + at + format::directory::kRecordBytesAt),
+            format::loadU16(head.data() + at + format::directory::kRecordBytesAt),
             format::loadU32(head.data() + at + format::directory::kRecordCountAt)};
   }
   return {};
@@ -66,9 +66,9 @@ class HeadBuilder {
       head.resize((head.size() + 7) / 8 * 8);
       uint8_t* entry = head.data() + header::kBytes + i * directory::kBytes;
       storeU32(entry + directory::kIdAt, chunks_[i].id);
-      storeU32(entry + directory::kFlagsAt, chunks_[i].flags);
+      storeU16(entry + directory::kFlagsAt, static_cast<uint16_t>(chunks_[i].flags));
       storeU32(entry + directory::kOffsetAt, static_cast<uint32_t>(head.size()));
-      storeU32(entry + directory::kRecordBytesAt, chunks_[i].record_bytes);
+      storeU16(entry + directory::kRecordBytesAt, static_cast<uint16_t>(chunks_[i].record_bytes));
       storeU32(entry + directory::kRecordCountAt,
                static_cast<uint32_t>(chunks_[i].bytes.size() / chunks_[i].record_bytes));
       head.insert(head.end(), chunks_[i].bytes.begin(), chunks_[i].bytes.end());

@@ -48,10 +48,10 @@ class LitheFile {
     std::vector<FileChunk> list;
     for (uint32_t i = 0; i < loadU32(head.data() + header::kChunkCountAt); ++i) {
       const uint8_t* entry = head.data() + header::kBytes + size_t{i} * directory::kBytes;
-      const uint32_t record_bytes = loadU32(entry + directory::kRecordBytesAt);
+      const uint32_t record_bytes = loadU16(entry + directory::kRecordBytesAt);
       const auto begin = head.begin() + loadU32(entry + directory::kOffsetAt);
       const size_t size = size_t{record_bytes} * loadU32(entry + directory::kRecordCountAt);
-      list.push_back({loadU32(entry + directory::kIdAt), loadU32(entry + directory::kFlagsAt), record_bytes,
+      list.push_back({loadU32(entry + directory::kIdAt), loadU16(entry + directory::kFlagsAt), record_bytes,
                       FileBytes(begin, begin + static_cast<int64_t>(size))});
     }
     return list;
@@ -66,9 +66,9 @@ class LitheFile {
       head.resize((head.size() + 7) / 8 * 8);
       uint8_t* entry = head.data() + header::kBytes + i * directory::kBytes;
       storeU32(entry + directory::kIdAt, list[i].id);
-      storeU32(entry + directory::kFlagsAt, list[i].flags);
+      storeU16(entry + directory::kFlagsAt, static_cast<uint16_t>(list[i].flags));
       storeU32(entry + directory::kOffsetAt, static_cast<uint32_t>(head.size()));
-      storeU32(entry + directory::kRecordBytesAt, list[i].record_bytes);
+      storeU16(entry + directory::kRecordBytesAt, static_cast<uint16_t>(list[i].record_bytes));
       storeU32(entry + directory::kRecordCountAt, static_cast<uint32_t>(list[i].bytes.size() / list[i].record_bytes));
       head.insert(head.end(), list[i].bytes.begin(), list[i].bytes.end());
     }

@@ -87,7 +87,7 @@ Chunk infoChunk(const EncodeInput& in, const std::vector<LevelEntry>& levels) {
 
 void storeForm(uint8_t* form_at, uint8_t* rotation_at, const StoredRotation& rotation, uint32_t scale_index) {
   storeU16(form_at, static_cast<uint16_t>(scale_index | rotation.left_out << kFormScaleBits));
-  storeVector(rotation_at, rotation.kept);
+  storeU64(rotation_at, rotationFields(rotation));
 }
 
 Chunk nodeChunk(const Model& model, NamePool& pool, ScalePool& scales) {
@@ -119,12 +119,13 @@ std::vector<std::array<glm::ivec3, 2>> jointBoxes(const EncodeInput& in) {
 Chunk jointChunk(const EncodeInput& in, ScalePool& scales) {
   Chunk c = chunk(joint::kId, joint::kBytes);
   const auto boxes = jointBoxes(in);
+  const uint32_t cell_bits = joint::boxCellBits(in.mesh.grid.bits);
   for (size_t j = 0; j < in.model.joints.size(); ++j) {
     uint8_t* p = c.add();
     storeU16(p + joint::kNodeAt, static_cast<uint16_t>(in.model.joints[j].node));
     for (int i = 0; i < 3; ++i) {
-      storeU16(p + joint::kBoxMinAt + 2 * i, static_cast<uint16_t>(boxes[j][0][i]));
-      storeU16(p + joint::kBoxMaxAt + 2 * i, static_cast<uint16_t>(boxes[j][1][i]));
+      p[joint::kBoxMinAt + i] = static_cast<uint8_t>(std::min(boxes[j][0][i] >> cell_bits, 255));
+      p[joint::kBoxMaxAt + i] = static_cast<uint8_t>(boxes[j][1][i] >> cell_bits);
     }
     const glm::dmat4& inverse_bind = in.model.joints[j].inverse_bind;
     const RotationAndScale linear = rotationAndScale(glm::dmat3(inverse_bind));
@@ -212,7 +213,7 @@ std::vector<uint8_t> assembleHead(const std::vector<Chunk>& chunks, uint64_t pag
     uint8_t* entry = head.data() + header::kBytes + i * directory::kBytes;
     storeU32(entry + directory::kIdAt, chunks[i].id);
     storeU32(entry + directory::kOffsetAt, offset);
-    storeU32(entry + directory::kRecordBytesAt, chunks[i].record_bytes);
+    storeU16(entry + directory::kRecordBytesAt, static_cast<uint16_t>(chunks[i].record_bytes));
     storeU32(entry + directory::kRecordCountAt, static_cast<uint32_t>(chunks[i].bytes.size() / chunks[i].record_bytes));
     head.insert(head.end(), chunks[i].bytes.begin(), chunks[i].bytes.end());
     offset = aligned(head.size());

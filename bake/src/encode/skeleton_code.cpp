@@ -51,6 +51,16 @@ StoredRotation storedRotation(const glm::dquat& rotation) {
   return stored;
 }
 
+uint64_t rotationFields(const StoredRotation& rotation) {
+  uint64_t fields = 0;
+  for (uint32_t i = 0; i < 3; ++i) {
+    const double steps = rotation.kept[static_cast<int>(i)] * 4194304.0 / 3.0;
+    const int64_t field = format::kRotationCenter + static_cast<int64_t>(std::llround(steps));
+    fields |= static_cast<uint64_t>(field) << (format::kRotationFieldBits * i);
+  }
+  return fields;
+}
+
 RotationAndScale rotationAndScale(const glm::dmat3& matrix) {
   const double size = glm::length(matrix[0]) + glm::length(matrix[1]) + glm::length(matrix[2]);
   glm::dmat3 axes(0.0);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <vector>
@@ -16,6 +17,9 @@ struct StoredRotation {
   glm::dvec3 kept = glm::dvec3(0.0);
 };
 StoredRotation storedRotation(const glm::dquat& rotation);
+
+/// The kept components as the head's 64 bits: each at most 3.6e-7 away.
+uint64_t rotationFields(const StoredRotation& rotation);
 
 using StoredScale = std::array<float, 6>;  ///< xx, yy, zz, xy, xz, yz
 

@@ -133,7 +133,7 @@ class Counter {
     for (uint32_t i = 0; i < chunks; ++i) {
       const uint8_t* entry = file_.data() + format::header::kBytes + size_t{i} * format::directory::kBytes;
       if (!isOfSkeleton(format::loadU32(entry + format::directory::kIdAt))) continue;
-      skeleton += uint64_t{format::loadU32(entry + format::directory::kRecordBytesAt)} *
+      skeleton += uint64_t{format::loadU16(entry + format::directory::kRecordBytesAt)} *
                   format::loadU32(entry + format::directory::kRecordCountAt);
     }
     addBytes(kSkeleton, skeleton);

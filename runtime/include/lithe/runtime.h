@@ -148,7 +148,8 @@ typedef struct lithe_node {
 typedef struct lithe_joint {
   uint32_t node;
   float inverse_bind[12];       /* 3 rows of 4: x' = m[0] x + m[1] y + m[2] z + m[3], ... */
-  float box_min[3], box_max[3]; /* bind-space box of every vertex of every level that it influences; min > max: none */
+  float box_min[3], box_max[3]; /* bind-space box of every vertex of every level that it influences, on 256 cells of the
+                                   grid along each axis; min > max: none */
 } lithe_joint;
 
 typedef struct lithe_part {

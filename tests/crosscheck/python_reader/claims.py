@@ -4,7 +4,7 @@
 
 A reader need not check it.
 """
-from lithe_file import NONE_16
+from lithe_file import NONE_8
 
 
 def box_of(positions):
@@ -42,6 +42,7 @@ def broken_claims(decoded):
         yield "INFO's box is not that of the nodes"
     positions = influenced(nodes)
     for number, joint in enumerate(decoded.file.joints):
-        box = box_of(positions[number]) if number in positions else ((NONE_16,) * 3, (0,) * 3)
+        cells = [tuple(value >> info.position_bits - 8 for value in point) for point in positions.get(number, ())]
+        box = box_of(cells) if cells else ((NONE_8,) * 3, (0,) * 3)
         if box != (joint.box_min, joint.box_max):
             yield f"joint {number}'s box is not that of the nodes it influences"

@@ -8,19 +8,19 @@ from xxh64 import xxh64
 
 MAGIC = bytes((0x89, 0x4C, 0x49, 0x54, 0x48, 0x45, 0x1A, 0x0A))
 VERSION_MAJOR = 0
-HEADER_BYTES, ENTRY_BYTES = 64, 24
+HEADER_BYTES, ENTRY_BYTES = 64, 16
 MAX_HEAD_BYTES, MAX_CHUNKS = 16 << 20, 64
 # id: fields of a record, fewest and most records
 CHUNKS = {
     b"INFO": ("<3ff 8BB3x 3I ff 3I3I", 1, 1),
-    b"NODE": ("<IHH3f3f", 0, 65535),
-    b"JOIN": ("<HH3H3H3f3f", 0, 65535),
+    b"NODE": ("<IHH3fQ", 0, 65535),
+    b"JOIN": ("<HH3B3B3fQ", 0, 65535),
     b"SCAL": ("<3f3f", 0, 16384),
     b"MATL": ("<I", 0, 4096),
-    b"PART": ("<4I", 1, 4096),
+    b"PART": ("<3I", 1, 4096),
     b"UVGR": ("<3f", 0, 4096 * 8),
     b"LEVL": ("<5IffI", 1, 64),
-    b"PAGE": ("<IIQ6I", 1, 65535),
+    b"PAGE": ("<IIQ5I", 1, 65535),
     b"NAME": ("<B", 0, MAX_HEAD_BYTES),
 }
 
@@ -48,9 +48,9 @@ class Entry:
     """Where a chunk lies (section Directory entry)."""
 
     def __init__(self, data, index):
-        fields = struct.unpack_from("<4s5I", data, HEADER_BYTES + ENTRY_BYTES * index)
-        self.id, self.flags, self.offset, self.record_bytes, self.record_count, reserved = fields
-        sound = self.flags <= 1 and reserved == 0 and self.record_bytes > 0 and self.offset % 8 == 0
+        fields = struct.unpack_from("<4sHHII", data, HEADER_BYTES + ENTRY_BYTES * index)
+        self.id, self.flags, self.record_bytes, self.offset, self.record_count = fields
+        sound = self.flags <= 1 and self.record_bytes > 0 and self.offset % 8 == 0
         demand(sound, 8, f"directory entry {index} is invalid")
         self.end = self.offset + self.record_bytes * self.record_count
 

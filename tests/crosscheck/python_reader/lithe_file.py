@@ -10,7 +10,7 @@ from page_streams import most_values
 from refused import demand
 from xxh64 import xxh64
 
-NONE, NONE_16 = 0xFFFFFFFF, 65535
+NONE, NONE_16, NONE_8 = 0xFFFFFFFF, 65535, 255
 MAX_COUNT = 1 << 26
 MAX_BASE_WEDGES = 1 << 17
 MAX_FAN = 1 << 18
@@ -50,10 +50,12 @@ class Info:
         demand(ordered, 15, "the box is not ordered")
 
 
-def read_rotation(kept, form, check):
-    """The unit quaternion of which `kept` lacks the component that the form's upper bits name (section NODE)."""
+def read_rotation(fields, form, check):
+    """The unit quaternion, whole, of three components and the form, whose upper bits name the other (section NODE)."""
+    demand(fields >> 63 == 0, check, "the highest bit of a rotation is not zero")
+    kept = tuple(3 * ((fields >> 21 * i & 0x1FFFFF) - (1 << 20)) / (1 << 22) for i in range(3))
     x, y, z = (f32(value * value) for value in kept)
-    demand(finite(kept) and f32(f32(x + y) + z) <= 1, check, "a rotation is invalid")
+    demand(f32(f32(x + y) + z) <= 1, check, "a rotation is invalid")
     quaternion = list(kept)
     quaternion.insert(form >> 14, root(max(0.0, f32(f32(f32(1 - x) - y) - z))))
     return tuple(quaternion)
@@ -95,30 +97,29 @@ def read_nodes(records, triangulars, names):
         demand(parent < index or parent == NONE_16, 17, "a node comes before its parent")
         demand(scale < len(triangulars) and not any(triangulars[scale][3:]), 17, "a node's scale is invalid")
         demand(finite(record[3:6]), 17, "a node's translation is not finite")
-        nodes.append(SceneNode(name_at(names, record[0], 17), parent, record[3:6], read_rotation(record[6:9], form, 17),
+        nodes.append(SceneNode(name_at(names, record[0], 17), parent, record[3:6], read_rotation(record[6], form, 17),
                                triangulars[scale][:3]))
     return nodes
 
 
-def read_joints(records, triangulars, node_count, grid_size):
+def read_joints(records, triangulars, node_count):
     joints = []
     for record in records:
         node, form = record[:2]
         demand(node < node_count and form & 0x3FFF < len(triangulars), 18, "a joint's node or form is invalid")
         demand(finite(record[8:11]), 18, "a joint's translation is not finite")
         for low, high in zip(record[2:5], record[5:8]):
-            demand((low, high) == (NONE_16, 0) or low <= high < grid_size, 18, "a joint's box is not ordered")
-        joints.append(Joint(node, record[2:5], record[5:8], record[8:11], read_rotation(record[11:14], form, 18),
+            demand((low, high) == (NONE_8, 0) or low <= high, 18, "a joint's box is not ordered")
+        joints.append(Joint(node, record[2:5], record[5:8], record[8:11], read_rotation(record[11], form, 18),
                             triangulars[form & 0x3FFF]))
     return joints
 
 
 def read_parts(records, material_count, node_count, names):
     parts = []
-    for name, material, rigid_node, reserved in records:
+    for name, material, rigid_node in records:
         demand(material < material_count or material == NONE, 20, "a part's material does not exist")
         demand(rigid_node < node_count or rigid_node == NONE, 20, "a part's node does not exist")
-        demand(reserved == 0, 20, "reserved bytes of a part are not zero")
         parts.append(Part(name_at(names, name, 20), material, rigid_node))
     return parts
 
@@ -147,7 +148,6 @@ class Page:
     face_count: int
     values: int
     max_fan: int
-    reserved: int
     offset: int = 0
     ending: range = range(0)
 
@@ -181,7 +181,7 @@ def check_pages(pages, levels, info):
         demand(1 <= page.size <= MAX_PAGE_BYTES, 24, "a page's size is out of its range")
         first = next(k for k, level in enumerate(levels) if level.page_end > index)
         demand(page.level == first, 24, "a page's level is wrong")
-        demand(page.max_fan <= MAX_FAN and page.reserved == 0, 26, "max_fan or reserved bytes of a page are invalid")
+        demand(page.max_fan <= MAX_FAN, 26, "max_fan of a page is too large")
         if index > 0:
             growth = [now - then for now, then in zip(page.counts(), pages[index - 1].counts())]
             demand(min(growth) >= 0 and growth[0] % 2 == 0, 25, "a page's counts shrink, or its nodes are not in pairs")
@@ -206,7 +206,7 @@ class LitheFile:
         triangulars = chunks[b"SCAL"]
         demand(finite(value for record in triangulars for value in record), 27, "SCAL: a number is not finite")
         self.nodes = read_nodes(chunks[b"NODE"], triangulars, names)
-        self.joints = read_joints(chunks[b"JOIN"], triangulars, len(self.nodes), self.info.grid_size)
+        self.joints = read_joints(chunks[b"JOIN"], triangulars, len(self.nodes))
         self.materials = [name_at(names, name, 19) for name, in chunks[b"MATL"]]
         self.parts = read_parts(chunks[b"PART"], len(self.materials), len(self.nodes), names)
         self.read_uv_grids(chunks[b"UVGR"])

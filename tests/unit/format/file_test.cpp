@@ -97,10 +97,9 @@ TEST(FileSpecification, Directory) {
   expectRecord(spec().table("Directory entry"),
                {{"id", directory::kIdAt},
                 {"flags", directory::kFlagsAt},
-                {"offset", directory::kOffsetAt},
                 {"record_bytes", directory::kRecordBytesAt},
-                {"record_count", directory::kRecordCountAt},
-                {"reserved", directory::kReservedAt}},
+                {"offset", directory::kOffsetAt},
+                {"record_count", directory::kRecordCountAt}},
                directory::kBytes);
   EXPECT_EQ(numbersIn(spec().heading("Directory entry")), std::vector<uint64_t>{directory::kBytes});
 }
@@ -158,10 +157,7 @@ TEST(FileSpecification, MaterialPartAndUvGrid) {
   const std::vector<SpecRow> table = spec().table("MATL");
   expectRecord(rowsOf(table, "MATL"), {{"name", material::kNameAt}}, material::kBytes);
   expectRecord(rowsOf(table, "PART"),
-               {{"name", part::kNameAt},
-                {"material", part::kMaterialAt},
-                {"rigid_node", part::kRigidNodeAt},
-                {"reserved", part::kReservedAt}},
+               {{"name", part::kNameAt}, {"material", part::kMaterialAt}, {"rigid_node", part::kRigidNodeAt}},
                part::kBytes);
   expectRecord(rowsOf(table, "UVGR"), {{"offset", uv_grid::kOffsetAt}, {"scale", uv_grid::kScaleAt}}, uv_grid::kBytes);
 }
@@ -188,8 +184,7 @@ TEST(FileSpecification, Page) {
                 {"wedge_count", page::kWedgeCountAt},
                 {"face_count", page::kFaceCountAt},
                 {"values", page::kValuesAt},
-                {"max_fan", page::kMaxFanAt},
-                {"reserved", page::kReservedAt}},
+                {"max_fan", page::kMaxFanAt}},
                page::kBytes);
 }
 

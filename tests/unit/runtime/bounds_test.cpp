@@ -70,8 +70,10 @@ TEST(PosedBox, IsTight) {
       least = std::min(least, node.position[c]);
       greatest = std::max(greatest, node.position[c]);
     }
-    EXPECT_NEAR(box[c], origin[c] + 0x1p-9 * least, 2e-4);
-    EXPECT_NEAR(box[3 + c], origin[c] + 0x1p-9 * greatest, 2e-4);
+    // Joints' boxes end where one of the 256 cells does that the grid has along each axis.
+    const int32_t cell = 1 << (AssetShape{}.position_bits - 8);
+    EXPECT_NEAR(box[c], origin[c] + 0x1p-9 * (least / cell * cell), 2e-4);
+    EXPECT_NEAR(box[3 + c], origin[c] + 0x1p-9 * ((greatest / cell + 1) * cell - 1), 2e-4);
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 /// The head of a .lithe file: header, directory and tables, as byte offsets. docs/format.md is the specification.
 ///
-///     header (64) | directory (24 per chunk) | chunks, each 8-byte aligned | page 0 | page 1 | ...
+///     header (64) | directory (16 per chunk) | chunks, each 8-byte aligned | page 0 | page 1 | ...
 ///
 /// All integers little-endian, floats IEEE 754 binary32. Bytes not named below are reserved: zero, and checked.
 #pragma once
@@ -55,12 +55,11 @@ inline constexpr uint32_t kBytes = 64;
 /// Directory entry. Chunks lie in ascending order of offset, do not overlap, and each id occurs once.
 namespace directory {
 inline constexpr uint32_t kIdAt = 0;            // u32
-inline constexpr uint32_t kFlagsAt = 4;         // u32: bit 0 = optional (an unknown optional chunk is skipped)
+inline constexpr uint32_t kFlagsAt = 4;         // u16: bit 0 = optional (an unknown optional chunk is skipped)
+inline constexpr uint32_t kRecordBytesAt = 6;   // u16: a reader takes larger records than it knows and ignores the rest
 inline constexpr uint32_t kOffsetAt = 8;        // u32: from the start of the file, multiple of 8
-inline constexpr uint32_t kRecordBytesAt = 12;  // u32: a reader takes larger records than it knows and ignores the rest
-inline constexpr uint32_t kRecordCountAt = 16;  // u32
-inline constexpr uint32_t kReservedAt = 20;     // u32
-inline constexpr uint32_t kBytes = 24;
+inline constexpr uint32_t kRecordCountAt = 12;  // u32
+inline constexpr uint32_t kBytes = 16;
 inline constexpr uint32_t kOptional = 1;
 }  // namespace directory
 
@@ -100,6 +99,15 @@ inline constexpr uint32_t kFormScaleBits = 14;
 inline constexpr uint32_t formScale(uint32_t form) { return form & ((1u << kFormScaleBits) - 1); }
 inline constexpr uint32_t formLeftOut(uint32_t form) { return form >> kFormScaleBits; }
 
+/// The three components of a rotation that are kept, x before y before z before w: fields of 21 bits from the lowest
+/// on. The highest bit is zero.
+inline constexpr uint32_t kRotationFieldBits = 21;
+inline constexpr int32_t kRotationCenter = 1 << (kRotationFieldBits - 1);
+constexpr float rotationComponent(uint64_t fields, uint32_t index) {
+  const uint64_t field = fields >> (kRotationFieldBits * index) & ((1u << kRotationFieldBits) - 1);
+  return static_cast<float>(3 * (static_cast<int32_t>(field) - kRotationCenter)) / 4194304.0f;  // exact: within 0.75
+}
+
 /// NODE: the scene graph, parents before children.
 namespace node {
 inline constexpr uint32_t kId = chunkId('N', 'O', 'D', 'E');
@@ -107,22 +115,24 @@ inline constexpr uint32_t kNameAt = 0;         // u32: offset in NAME
 inline constexpr uint32_t kParentAt = 4;       // u16, kNoParent for a root, else smaller than the node's own index
 inline constexpr uint32_t kFormAt = 6;         // u16: scale and left-out component
 inline constexpr uint32_t kTranslationAt = 8;  // f32 x 3
-inline constexpr uint32_t kRotationAt = 20;    // f32 x 3: the quaternion's components but the one left out
-inline constexpr uint32_t kBytes = 32;
+inline constexpr uint32_t kRotationAt = 20;    // u64: the quaternion's components but the one left out
+inline constexpr uint32_t kBytes = 28;
 inline constexpr uint32_t kNoParent = 0xffff;
 }  // namespace node
 
 /// JOIN: the palette.
 namespace joint {
 inline constexpr uint32_t kId = chunkId('J', 'O', 'I', 'N');
-inline constexpr uint32_t kNodeAt = 0;     // u16, index into NODE
-inline constexpr uint32_t kFormAt = 2;     // u16: scale and left-out component
-inline constexpr uint32_t kBoxMinAt = 4;   // u16 x 3: grid box of every node it influences, at any level
-inline constexpr uint32_t kBoxMaxAt = 10;  // u16 x 3; an unused joint has min 65535 and max 0
+inline constexpr uint32_t kNodeAt = 0;    // u16, index into NODE
+inline constexpr uint32_t kFormAt = 2;    // u16: scale and left-out component
+inline constexpr uint32_t kBoxMinAt = 4;  // u8 x 3: box of every node it influences, at any level, in cells of the grid
+inline constexpr uint32_t kBoxMaxAt = 7;  // u8 x 3; an unused joint has min 255 and max 0
 // Inverse bind matrix: rotation times scale, then the translation.
-inline constexpr uint32_t kTranslationAt = 16;  // f32 x 3
-inline constexpr uint32_t kRotationAt = 28;     // f32 x 3
-inline constexpr uint32_t kBytes = 40;
+inline constexpr uint32_t kTranslationAt = 10;  // f32 x 3
+inline constexpr uint32_t kRotationAt = 22;     // u64
+inline constexpr uint32_t kBytes = 30;
+/// The cells of joints' boxes: 256 along each axis of the grid.
+constexpr uint32_t boxCellBits(uint32_t position_bits) { return position_bits - 8; }
 }  // namespace joint
 
 /// SCAL: the scales that nodes and joints share; what a rotation leaves of a matrix, upper triangular.
@@ -146,8 +156,7 @@ inline constexpr uint32_t kId = chunkId('P', 'A', 'R', 'T');
 inline constexpr uint32_t kNameAt = 0;       // u32
 inline constexpr uint32_t kMaterialAt = 4;   // u32, index into MATL or kNoIndex
 inline constexpr uint32_t kRigidNodeAt = 8;  // u32, index into NODE or kNoIndex
-inline constexpr uint32_t kReservedAt = 12;  // u32
-inline constexpr uint32_t kBytes = 16;
+inline constexpr uint32_t kBytes = 12;
 }  // namespace part
 
 /// UVGR: part_count * uv_sets records, part by part. uv = offset + scale * integer.
@@ -181,10 +190,9 @@ inline constexpr uint32_t kChecksumAt = 8;    // u64: XXH64, seed 0
 inline constexpr uint32_t kNodeCountAt = 16;  // u32: nodes, wedges and faces after this page
 inline constexpr uint32_t kWedgeCountAt = 20;
 inline constexpr uint32_t kFaceCountAt = 24;
-inline constexpr uint32_t kValuesAt = 28;    // u32: integers in all of the page's streams: the reader's scratch memory
-inline constexpr uint32_t kMaxFanAt = 32;    // u32: most corners or wedges at a node that the page splits
-inline constexpr uint32_t kReservedAt = 36;  // u32
-inline constexpr uint32_t kBytes = 40;
+inline constexpr uint32_t kValuesAt = 28;  // u32: integers in all of the page's streams: the reader's scratch memory
+inline constexpr uint32_t kMaxFanAt = 32;  // u32: most corners or wedges at a node that the page splits
+inline constexpr uint32_t kBytes = 36;
 }  // namespace page
 
 /// NAME: zero-terminated UTF-8 strings; record_bytes 1, the last byte is zero.

@@ -51,7 +51,7 @@ struct Encoded {
       const uint8_t* entry = bytes.data() + format::header::kBytes + i * format::directory::kBytes;
       if (loadU32(entry) != id) continue;
       return bytes.data() + loadU32(entry + format::directory::kOffsetAt) +
-             size_t{index} * loadU32(entry + format::directory::kRecordBytesAt);
+             size_t{index} * format::loadU16(entry + format::directory::kRecordBytesAt);
     }
   }
   uint32_t pageEnd(uint32_t level) const {

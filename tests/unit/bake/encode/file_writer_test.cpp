@@ -64,7 +64,7 @@ class FileWriter : public testing::Test {
   const uint8_t* record(uint32_t id, uint32_t index) const {
     const uint8_t* entry = chunks_.at(id);
     return file_.data() + loadU32(entry + format::directory::kOffsetAt) +
-           size_t{index} * loadU32(entry + format::directory::kRecordBytesAt);
+           size_t{index} * loadU16(entry + format::directory::kRecordBytesAt);
   }
   uint32_t records(uint32_t id) const { return loadU32(chunks_.at(id) + format::directory::kRecordCountAt); }
   std::string name(uint32_t offset) const { return reinterpret_cast<const char*>(record(format::names::kId, offset)); }
@@ -103,14 +103,13 @@ TEST_F(FileWriter, ChunksLieInOrderAlignedWithZerosBetweenThem) {
   for (uint32_t i = 0; i < 10; ++i) {
     const uint8_t* entry = file_.data() + format::header::kBytes + i * format::directory::kBytes;
     const uint32_t offset = loadU32(entry + format::directory::kOffsetAt);
-    EXPECT_EQ(loadU32(entry + format::directory::kFlagsAt), 0u);
-    EXPECT_EQ(loadU32(entry + format::directory::kReservedAt), 0u);
+    EXPECT_EQ(loadU16(entry + format::directory::kFlagsAt), 0u);
     EXPECT_EQ(offset % 8, 0u);
     ASSERT_GE(offset, end);
     EXPECT_LT(offset - end, 8u);
     for (; end < offset; ++end) EXPECT_EQ(file_[end], 0);
     end +=
-        size_t{loadU32(entry + format::directory::kRecordBytesAt)} * loadU32(entry + format::directory::kRecordCountAt);
+        size_t{loadU16(entry + format::directory::kRecordBytesAt)} * loadU32(entry + format::directory::kRecordCountAt);
   }
   EXPECT_LE(end, head_bytes_);
   EXPECT_LT(head_bytes_ - end, 8u);
@@ -152,7 +151,8 @@ TEST_F(FileWriter, SceneNodesAndTheirNames) {
   const uint32_t form = loadU16(child + format::node::kFormAt);
   EXPECT_EQ(format::formLeftOut(form), 3u);
   const float x_y_z[] = {-0.5f, 0.5f, -0.5f};
-  for (uint32_t i = 0; i < 3; ++i) EXPECT_EQ(loadF32(child + format::node::kRotationAt + 4 * i), x_y_z[i]) << i;
+  const uint64_t fields = loadU64(child + format::node::kRotationAt);
+  for (uint32_t i = 0; i < 3; ++i) EXPECT_NEAR(format::rotationComponent(fields, i), x_y_z[i], 3.6e-7f) << i;
   EXPECT_EQ(records(format::scale::kId), 2u);
   const float twice[] = {2, 2, 2, 0, 0, 0};
   for (uint32_t i = 0; i < 6; ++i)
@@ -161,16 +161,19 @@ TEST_F(FileWriter, SceneNodesAndTheirNames) {
 
 TEST_F(FileWriter, JointsHaveTheBoxOfWhatTheyInfluence) {
   ASSERT_EQ(records(format::joint::kId), 3u);
-  const uint16_t boxes[3][6] = {{0, 0, 0, 8, 8, 8}, {65535, 65535, 65535, 0, 0, 0}, {0, 0, 8, 0, 0, 8}};
+  // A grid of 13 bits has cells of 32 points.
+  for (glm::ivec3& position : hierarchy_.position) position *= 100;
+  write();
+  const uint8_t boxes[3][6] = {{0, 0, 0, 25, 25, 25}, {255, 255, 255, 0, 0, 0}, {0, 0, 25, 0, 0, 25}};
   for (uint32_t j = 0; j < 3; ++j) {
     const uint8_t* p = record(format::joint::kId, j);
     EXPECT_EQ(loadU16(p + format::joint::kNodeAt), model_.joints[j].node);
-    for (uint32_t i = 0; i < 6; ++i) EXPECT_EQ(loadU16(p + format::joint::kBoxMinAt + 2 * i), boxes[j][i]) << j << i;
+    for (uint32_t i = 0; i < 6; ++i) EXPECT_EQ(p[format::joint::kBoxMinAt + i], boxes[j][i]) << j << i;
   }
   const uint8_t* shifted = record(format::joint::kId, 2);
   for (uint32_t i = 0; i < 3; ++i) {
     EXPECT_EQ(loadF32(shifted + format::joint::kTranslationAt + 4 * i), 7.0f + static_cast<float>(i));
-    EXPECT_EQ(loadF32(shifted + format::joint::kRotationAt + 4 * i), 0.0f);
+    EXPECT_EQ(format::rotationComponent(loadU64(shifted + format::joint::kRotationAt), i), 0.0f);
   }
   EXPECT_EQ(loadU16(shifted + format::joint::kFormAt), loadU16(record(format::node::kId, 0) + format::node::kFormAt));
 }
@@ -187,7 +190,6 @@ TEST_F(FileWriter, MaterialsPartsAndUvGrids) {
   EXPECT_EQ(loadU32(shirt + format::part::kRigidNodeAt), format::kNoIndex);
   EXPECT_EQ(loadU32(hat + format::part::kMaterialAt), format::kNoIndex);
   EXPECT_EQ(loadU32(hat + format::part::kRigidNodeAt), 1u);
-  EXPECT_EQ(loadU32(hat + format::part::kReservedAt), 0u);
   ASSERT_EQ(records(format::uv_grid::kId), 4u);
   const uint8_t* last = record(format::uv_grid::kId, 3);
   EXPECT_EQ(loadF32(last + format::uv_grid::kOffsetAt), 0.25f);
@@ -217,7 +219,6 @@ TEST_F(FileWriter, LevelsAndPagesAreWhatTheyWereSaidToBe) {
     EXPECT_EQ(loadU32(page + format::page::kFaceCountAt), pages_[i].face_count);
     EXPECT_EQ(loadU32(page + format::page::kValuesAt), pages_[i].values);
     EXPECT_EQ(loadU32(page + format::page::kMaxFanAt), pages_[i].max_fan);
-    EXPECT_EQ(loadU32(page + format::page::kReservedAt), 0u);
     at += size;
   }
   EXPECT_EQ(at, file_.size());
