@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-/// Reads the subset of Draco that a page is made of: point clouds, version 2.3, sequential encoding, one attributes
-/// encoder, every attribute GENERIC, INT32, not normalised, integer-coded, without prediction or with DIFFERENCE; both
-/// symbol schemes, all precisions, and values stored as plain bytes. Everything else is refused.
+/// Reads the subset of Draco that a page is made of: point clouds of integer attributes without prediction; both symbol
+/// schemes, all precisions, and values stored as plain bytes. Everything else is refused.
 ///
-/// The caller knows the layout beforehand: a cloud says nothing that decodeCloud believes without having been told.
+/// A cloud comes without its beginning (docs/format.md, "The cloud of a stream"): what it would say the caller knows.
 /// No input makes it touch memory outside its arguments; time is linear in the bytes plus the values, whatever the
 /// bytes.
 #pragma once
@@ -17,8 +16,7 @@ namespace lithe::runtime {
 enum class CloudResult : uint8_t {
   kOk = 0,
   kTruncated,    ///< the bytes end before the cloud does
-  kForeign,      ///< not a Draco cloud of the subset
-  kLayout,       ///< other records, columns or components than expected
+  kForeign,      ///< not of the subset: a column is predicted, or coded in an unknown way
   kFrequencies,  ///< a frequency table is malformed
   kStream,       ///< a stream of symbols does not end where its writer began
   kRange,        ///< a value beyond the limits below
@@ -37,20 +35,21 @@ enum class ColumnKind : uint8_t {
   kUnsigned,  ///< values are the zigzag codes of the attribute's: small alphabets without holes
 };
 
-/// What is expected of one attribute.
+/// What one attribute is.
 struct ColumnSpec {
   uint8_t components;  ///< 1..4
   ColumnKind kind;
 };
 
-/// One cloud, what is expected of it, and where its values go. Everything is borrowed.
+/// One cloud, what it is, and where its values go. Everything is borrowed.
 struct CloudJob {
-  const uint8_t* bytes;  ///< the cloud and nothing after it
+  const uint8_t* bytes;  ///< the cloud without its beginning, and nothing after it
   size_t size;
-  uint32_t expected_records;  ///< 1..kMaxCloudRecords
-  const ColumnSpec* columns;  ///< the expected attributes, in order [column_count]
+  size_t lead;       ///< bytes before `bytes` that may be looked at too, whatever they are: with more it is faster
+  uint32_t records;  ///< 1..kMaxCloudRecords
+  const ColumnSpec* columns;  ///< the attributes, in order [column_count]
   uint32_t column_count;      ///< 1..kMaxCloudColumns
-  int32_t* const* out;        ///< per column, receives expected_records * components values, record by record
+  int32_t* const* out;        ///< per column, receives records * components values, record by record
 };
 
 /// Memory that a decode may use and leaves in any state.
@@ -70,8 +69,8 @@ size_t decodeScratchSize(uint32_t max_records, size_t max_bytes);
 /// Never allocates. Any number of threads, each with its own scratch and outs.
 CloudResult decodeClouds(const CloudJob* jobs, uint32_t job_count, const DecodeScratch& scratch, uint32_t* failed);
 
-/// Decodes one cloud.
-CloudResult decodeCloud(const uint8_t* bytes, size_t size, uint32_t expected_records, const ColumnSpec* columns,
+/// Decodes one cloud, looking at nothing before it.
+CloudResult decodeCloud(const uint8_t* bytes, size_t size, uint32_t records, const ColumnSpec* columns,
                         uint32_t column_count, int32_t* const* out, const DecodeScratch& scratch);
 
 }  // namespace lithe::runtime

@@ -31,12 +31,6 @@ struct DracoReader {
     return bytes[at++];
   }
 
-  uint32_t u32() {
-    uint32_t value = 0;
-    for (uint32_t shift = 0; shift < 32; shift += 8) value |= static_cast<uint32_t>(u8()) << shift;
-    return value;
-  }
-
   /// Seven bits per byte, low bits first. More than 32 bits are an error.
   uint32_t varint() {
     uint32_t value = 0;

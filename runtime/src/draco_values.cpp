@@ -9,8 +9,6 @@ namespace lithe::runtime {
 
 namespace {
 
-constexpr int32_t kValueLimit = 1 << (kCloudSymbolBits - 1);
-
 /// Up to eight bytes as one number; what lies beyond the end reads as zero.
 uint64_t loadBits(const uint8_t* bytes, size_t size, size_t at) {
   if (size - at >= 8) return format::loadU64(bytes + at);
@@ -43,10 +41,6 @@ void unpackRecords(const uint8_t* bytes, size_t size, uint32_t records, const in
       bit += static_cast<uint64_t>(tag) * in_window;
     }
   }
-}
-
-int32_t clamp(int32_t value, int32_t minimum, int32_t maximum) {
-  return value < minimum ? minimum : value > maximum ? maximum : value;
 }
 
 }  // namespace
@@ -94,28 +88,6 @@ CloudResult readPlainValues(DracoReader& reader, uint32_t byte_count, uint64_t c
 
 void undoZigzag(uint64_t count, int32_t* values) {
   for (uint64_t i = 0; i < count; ++i) values[i] = fromZigzag(static_cast<uint32_t>(values[i]));
-}
-
-void applyZigzag(uint64_t count, int32_t* values) {
-  for (uint64_t i = 0; i < count; ++i) values[i] = static_cast<int32_t>(toZigzag(values[i]));
-}
-
-CloudResult sumDifferences(uint32_t records, uint32_t components, int32_t minimum, int32_t maximum, int32_t* values) {
-  if (minimum > maximum || minimum < -kValueLimit || maximum >= kValueLimit) return CloudResult::kRange;
-  const int32_t period = maximum - minimum + 1;
-  int32_t previous[kMaxCloudComponents] = {};
-  for (uint32_t c = 0; c < components; ++c) previous[c] = clamp(0, minimum, maximum);
-  bool inside = true;
-  for (uint32_t i = 0; i < records; ++i) {
-    for (uint32_t c = 0; c < components; ++c, ++values) {
-      int32_t sum = previous[c] + *values;
-      sum += sum > maximum ? -period : sum < minimum ? period : 0;
-      inside = inside && sum >= minimum && sum <= maximum;
-      previous[c] = clamp(sum, minimum, maximum);
-      *values = sum;
-    }
-  }
-  return inside ? CloudResult::kOk : CloudResult::kRange;
 }
 
 }  // namespace lithe::runtime

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-/// What becomes of a column's symbols: bit fields of tagged columns, plain bytes, zigzag, and sums of differences.
+/// What becomes of a column's symbols: bit fields of tagged columns, plain bytes, and zigzag.
 #pragma once
 
 #include <stdint.h>
@@ -21,13 +21,5 @@ CloudResult readPlainValues(DracoReader& reader, uint32_t byte_count, uint64_t c
 
 /// Symbols to signed values, in place.
 void undoZigzag(uint64_t count, int32_t* values);
-
-/// Signed values to symbols, in place.
-void applyZigzag(uint64_t count, int32_t* values);
-
-/// Adds up signed differences, in place: every record is the one before plus its difference, wrapped into
-/// [minimum, maximum] (the first record's predecessor is zero, clamped to that range).
-/// Returns kOk, or kRange when a sum lies more than one period outside, or the range itself beyond the limits.
-CloudResult sumDifferences(uint32_t records, uint32_t components, int32_t minimum, int32_t maximum, int32_t* values);
 
 }  // namespace lithe::runtime

@@ -118,8 +118,9 @@ bool readTable(const PageFormat& format, const PagePlan& plan, const Decoded& be
 }
 
 /// All clouds in one call, so that their entropy decoders may run side by side.
-bool decodeStreams(const StreamTable& table, const uint8_t* payload, const DecodeScratch& scratch, PageStreams* streams,
-                   uint32_t* failed_stream) {
+/// page  where it begins: all of a page that lies before a cloud may be looked at
+bool decodeStreams(const StreamTable& table, const uint8_t* page, const uint8_t* payload, const DecodeScratch& scratch,
+                   PageStreams* streams, uint32_t* failed_stream) {
   CloudJob jobs[kMaxStreams];
   uint32_t stream_of[kMaxStreams];
   int32_t* outs[kMaxStreams][kMaxAttributesPerStream];
@@ -128,8 +129,9 @@ bool decodeStreams(const StreamTable& table, const uint8_t* payload, const Decod
     if (streams->records[s] == 0) continue;
     for (uint32_t a = 0; a < table.attribute_count[s]; ++a) outs[s][a] = const_cast<int32_t*>(streams->values[s][a].at);
     stream_of[count] = s;
-    jobs[count++] = {payload, table.bytes[s], streams->records[s], table.columns[s], table.attribute_count[s], outs[s]};
-    payload += table.bytes[s];
+    const size_t bytes = table.bytes[s], lead = static_cast<size_t>(payload - page);
+    jobs[count++] = {payload, bytes, lead, streams->records[s], table.columns[s], table.attribute_count[s], outs[s]};
+    payload += bytes;
   }
   uint32_t failed = 0;
   if (count == 0 || decodeClouds(jobs, count, scratch, &failed) == CloudResult::kOk) return true;
@@ -175,7 +177,7 @@ uint32_t readStreams(const PageFormat& format, const PagePlan& plan, const Decod
   if (payload > static_cast<uint64_t>(end - at)) return kCheckTable;
 
   uint32_t failed_stream = 0;
-  if (!decodeStreams(table, at, scratch, streams, &failed_stream)) {
+  if (!decodeStreams(table, bytes, at, scratch, streams, &failed_stream)) {
     for (uint32_t s = 0; s < failed_stream; ++s) *offset += table.bytes[s];
     return kCheckCloud;
   }

@@ -41,8 +41,6 @@ constexpr int32_t fromZigzag(uint32_t symbol) {
   return static_cast<int32_t>(symbol >> 1) ^ -static_cast<int32_t>(symbol & 1);
 }
 
-constexpr uint32_t toZigzag(int32_t value) { return (static_cast<uint32_t>(value) << 1) ^ (value < 0 ? ~0u : 0u); }
-
 /// What a decoder writes for a symbol: the symbol itself, or the signed number that it is the zigzag code of.
 enum class RansValue : uint8_t { kSymbol, kSigned };
 
@@ -99,7 +97,7 @@ inline constexpr uint32_t kMaxNarrowRows = 256;
 inline constexpr uint32_t kMaxNarrowPrecision = 15;
 inline constexpr uint32_t kRansLanes = 4;
 /// Readable bytes that must lie before every stream: the decoder looks at what is before its cursor.
-inline constexpr uint32_t kRansLead = 16;
+inline constexpr uint32_t kRansLead = 2;
 
 struct NarrowRow {
   uint32_t slots;  ///< frequency, and the first slot shifted by 16: one load for both
@@ -128,8 +126,8 @@ struct RansLane {
 };
 
 /// Decodes the same number of values from every lane: as many as the lane with the fewest has left, less where a floor
-/// is near, but at least min(8, that number).
-/// lane_count 1..4
+/// is near, but at least one.
+/// lane_count 1..4; each lane has values left
 void stepRansLanes(RansLane* const* lanes, uint32_t lane_count);
 
 /// To be asked after every step: false when the lane's stream turned out too short (its values are garbage then), or

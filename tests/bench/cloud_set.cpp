@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "encode/draco_cloud.h"
+
 namespace lithe::bench {
 namespace {
 
@@ -20,6 +22,12 @@ std::unique_ptr<draco::PointCloud> decodeCloudWithDraco(const std::vector<uint8_
   return decoded.ok() ? std::move(decoded).value() : nullptr;
 }
 
+std::vector<uint8_t> componentsOf(const std::vector<runtime::ColumnSpec>& columns) {
+  std::vector<uint8_t> components;
+  for (const runtime::ColumnSpec& column : columns) components.push_back(column.components);
+  return components;
+}
+
 int32_t zigzag(int32_t value) { return static_cast<int32_t>((static_cast<uint32_t>(value) << 1) ^ (value >> 31)); }
 
 }  // namespace
@@ -27,15 +35,17 @@ int32_t zigzag(int32_t value) { return static_cast<int32_t>((static_cast<uint32_
 void CloudSet::add(const uint8_t* bytes, size_t size, uint32_t records,
                    const std::vector<runtime::ColumnSpec>& columns) {
   Cloud& cloud = clouds_.emplace_back();
-  cloud.bytes.assign(bytes, bytes + size);
+  cloud.bytes = bake::cloudBeginning(records, componentsOf(columns));
+  const size_t beginning = cloud.bytes.size();
+  cloud.bytes.insert(cloud.bytes.end(), bytes, bytes + size);
   cloud.columns = columns;
   for (const runtime::ColumnSpec& column : columns) {
     cloud.values.emplace_back(size_t{records} * column.components);
     values_ += cloud.values.back().size();
   }
   for (std::vector<int32_t>& values : cloud.values) cloud.outs.push_back(values.data());
-  jobs_.push_back({cloud.bytes.data(), size, records, cloud.columns.data(), static_cast<uint32_t>(columns.size()),
-                   cloud.outs.data()});
+  jobs_.push_back({cloud.bytes.data() + beginning, size, beginning, records, cloud.columns.data(),
+                   static_cast<uint32_t>(columns.size()), cloud.outs.data()});
   records_ += records;
   bytes_ += size;
   scratch_.resize(std::max(scratch_.size(), runtime::decodeScratchSize(records, size) / 8 + 1));

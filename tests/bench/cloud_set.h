@@ -19,7 +19,7 @@ class CloudSet {
   CloudSet(const CloudSet&) = delete;
   CloudSet& operator=(const CloudSet&) = delete;
 
-  /// Copies the cloud's bytes. `columns`: what its attributes are expected to be.
+  /// Copies the bytes of a stream: a cloud without its beginning. `columns`: what its attributes are.
   void add(const uint8_t* bytes, size_t size, uint32_t records, const std::vector<runtime::ColumnSpec>& columns);
 
   /// Decode every cloud; false when one is refused.
@@ -29,13 +29,13 @@ class CloudSet {
   size_t cloudCount() const { return clouds_.size(); }
   uint64_t recordCount() const { return records_; }
   uint64_t valueCount() const { return values_; }
-  uint64_t byteCount() const { return bytes_; }
+  uint64_t byteCount() const { return bytes_; }  ///< of the streams
   /// Decodes with both and compares every value.
   bool bothAgree();
 
  private:
   struct Cloud {
-    std::vector<uint8_t> bytes;
+    std::vector<uint8_t> bytes;  ///< with its beginning, for libdraco
     std::vector<runtime::ColumnSpec> columns;
     std::vector<std::vector<int32_t>> values;  ///< per column
     std::vector<int32_t*> outs;

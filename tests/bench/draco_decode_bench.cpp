@@ -58,11 +58,15 @@ std::vector<CloudColumns> oneCloudEach(const CloudColumns& cloud) {
 }
 
 void addCloud(const CloudColumns& cloud, bench::CloudSet& clouds) {
-  const std::vector<uint8_t> bytes = bake::encodeCloud(cloud);
   std::vector<runtime::ColumnSpec> columns;
-  for (const CloudColumn& column : cloud.columns)
-    columns.push_back({static_cast<uint8_t>(column.components),
-                       column.is_unsigned ? runtime::ColumnKind::kUnsigned : runtime::ColumnKind::kSigned});
+  std::vector<uint8_t> components;
+  for (const CloudColumn& column : cloud.columns) {
+    components.push_back(static_cast<uint8_t>(column.components));
+    columns.push_back(
+        {components.back(), column.is_unsigned ? runtime::ColumnKind::kUnsigned : runtime::ColumnKind::kSigned});
+  }
+  const std::vector<uint8_t> bytes =
+      bake::withoutBeginning(bake::encodeCloud(cloud), bake::cloudBeginning(cloud.records, components));
   clouds.add(bytes.data(), bytes.size(), cloud.records, columns);
 }
 

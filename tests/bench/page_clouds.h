@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-/// The Draco clouds of a .lithe page, found by its own stream table.
+/// The Draco clouds that are the streams of a .lithe page, found by its own stream table.
 #pragma once
 
 #include <memory>

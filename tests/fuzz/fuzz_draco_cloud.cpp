@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
-/// Any bytes as a Draco cloud. Input: records - 1 (one byte) | columns - 1 (one byte, low three bits) | one byte per
-/// column (components - 1 in two bits, unsigned in the next) | the cloud.
+/// Any bytes as a Draco cloud behind its beginning. Input: records - 1 (one byte) | columns - 1 (one byte, low three
+/// bits) | one byte per column (components - 1 in two bits, unsigned in the next) | the cloud.
 #include <cstdlib>
 #include <vector>
 
@@ -18,14 +18,16 @@ void requireRange(const std::vector<int32_t>& values, ColumnKind kind) {
   }
 }
 
-void decode(const uint8_t* cloud, size_t size, uint32_t records, const std::vector<ColumnSpec>& columns) {
+/// `cloud` lies in memory of exactly its size, so that a sanitizer sees a look before it, too.
+void decode(const std::vector<uint8_t>& cloud, uint32_t records, const std::vector<ColumnSpec>& columns) {
   std::vector<std::vector<int32_t>> values;
   std::vector<int32_t*> outs;
   for (const ColumnSpec& column : columns) values.emplace_back(records * column.components);
   for (std::vector<int32_t>& column : values) outs.push_back(column.data());
-  std::vector<uint64_t> memory((decodeScratchSize(records, size) + 7) / 8);
-  const CloudResult result = decodeCloud(cloud, size, records, columns.data(), static_cast<uint32_t>(columns.size()),
-                                         outs.data(), {memory.data(), memory.size() * 8});
+  std::vector<uint64_t> memory((decodeScratchSize(records, cloud.size()) + 7) / 8);
+  const CloudResult result =
+      decodeCloud(cloud.data(), cloud.size(), records, columns.data(), static_cast<uint32_t>(columns.size()),
+                  outs.data(), {memory.data(), memory.size() * 8});
   if (result == CloudResult::kArgument) std::abort();
   if (result != CloudResult::kOk) return;
   for (size_t i = 0; i < columns.size(); ++i) requireRange(values[i], columns[i].kind);
@@ -42,6 +44,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const uint8_t byte = data[2 + i];
     columns.push_back({static_cast<uint8_t>((byte & 3) + 1), byte & 4 ? ColumnKind::kUnsigned : ColumnKind::kSigned});
   }
-  decode(data + 2 + column_count, size - 2 - column_count, records, columns);
+  decode({data + 2 + column_count, data + size}, records, columns);
   return 0;
 }

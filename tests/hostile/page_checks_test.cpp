@@ -211,31 +211,72 @@ TEST(PageCheck, N64_MoreBytesThanThereAre) {
   }
 }
 
-/// The places of all clouds in a page.
-std::vector<size_t> cloudsIn(const FileBytes& page) {
-  const uint8_t kWord[] = {'D', 'R', 'A', 'C', 'O'};
-  std::vector<size_t> places;
-  for (auto at = page.begin();;) {
-    at = std::search(at, page.end(), std::begin(kWord), std::end(kWord));
-    if (at == page.end()) return places;
-    places.push_back(static_cast<size_t>(at - page.begin()));
-    ++at;
+/// A stream with records, and where its entry and its bytes lie in the page.
+struct StreamPlace {
+  size_t records_at, size_at, begin;
+};
+
+std::vector<StreamPlace> streamsIn(const FileBytes& page) {
+  VarintReader table{page.data() + kTableAt};
+  const auto here = [&] { return static_cast<size_t>(table.at - page.data()); };
+  std::vector<StreamPlace> streams;
+  size_t bytes = 0;
+  for (uint32_t s = 0; s < (page[0] == kBasePage ? +kBaseStreamCount : +kSplitStreamCount); ++s) {
+    const size_t records_at = here();
+    if (table.next() == 0) continue;
+    streams.push_back({records_at, here(), bytes});
+    bytes += table.next();
   }
+  table.next();  // bytes of the low bits
+  for (StreamPlace& stream : streams) stream.begin += here();
+  return streams;
 }
 
 TEST(PageCheck, N65_Clouds) {
   for (const uint32_t page : {0u, 1u}) {
-    const std::vector<size_t> clouds = cloudsIn(LitheFile(richFile()).pages[page]);
-    ASSERT_GT(clouds.size(), 3u);
-    for (const size_t cloud : clouds)
-      // Magic, version, method, flags, records, encoders, attributes, type, components.
-      for (const size_t byte : {0u, 5u, 6u, 7u, 8u, 9u, 11u, 14u, 15u, 16u, 17u, 18u, 19u, 20u}) {
-        SCOPED_TRACE(byte);
-        LitheFile file(richFile());
-        file.pages[page][cloud + byte] ^= 1;
-        file.sealPages();
-        expectPageRefused(file, page, LITHE_ERROR_CORRUPT, 65);
-      }
+    const std::vector<StreamPlace> streams = streamsIn(LitheFile(richFile()).pages[page]);
+    ASSERT_GT(streams.size(), 3u);
+    for (const StreamPlace& stream : streams)
+      // Prediction (none; 0xfe makes it Draco's differences), coding, scheme.
+      for (const size_t byte : {0u, 1u, 2u})
+        for (const uint8_t change : {uint8_t{2}, uint8_t{0x80}, uint8_t{0xfe}}) {
+          SCOPED_TRACE(testing::Message() << "stream at " << stream.begin << " byte " << byte << " change " << +change);
+          LitheFile file(richFile());
+          file.pages[page][stream.begin + byte] ^= change;
+          file.sealPages();
+          expectPageRefused(file, page, LITHE_ERROR_CORRUPT, 65);
+        }
+  }
+}
+
+TEST(PageCheck, N65_AByteOfTheNextStream) {
+  for (const uint32_t page : {0u, 1u}) {
+    const std::vector<StreamPlace> streams = streamsIn(LitheFile(richFile()).pages[page]);
+    uint32_t moved = 0;
+    for (size_t s = 0; s + 1 < streams.size(); ++s) {
+      LitheFile file(richFile());
+      uint8_t &size = file.pages[page][streams[s].size_at], &next = file.pages[page][streams[s + 1].size_at];
+      if ((size & 0x7f) == 0x7f || (next & 0x7f) < 2) continue;  // the varints stay as long as they are
+      ++size;
+      --next;
+      ++moved;
+      file.sealPages();
+      expectPageRefused(file, page, LITHE_ERROR_CORRUPT, 65);
+    }
+    EXPECT_GT(moved, 1u);
+  }
+}
+
+TEST(PageCheck, N65_OtherRecordsThanStated) {
+  for (const int change : {-1, 1}) {
+    LitheFile file(richFile());
+    uint8_t& records = file.pages[0][streamsIn(file.pages[0])[kBaseInfluences].records_at];
+    ASSERT_TRUE((records & 0x7f) > 0 && (records & 0x7f) < 0x7f);
+    records = static_cast<uint8_t>(records + change);
+    uint8_t* values = file.record(page::kId, 0) + page::kValuesAt;
+    storeU32(values, loadU32(values) + static_cast<uint32_t>(2 * change));
+    file.sealPages();
+    expectPageRefused(file, 0, LITHE_ERROR_CORRUPT, 65);
   }
 }
 

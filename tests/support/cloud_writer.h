@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 /// Writes Draco clouds of the runtime's subset byte by byte, right or wrong in any place a test wants: libdraco only
-/// writes sound ones.
+/// writes sound ones. A stream of a page is such a cloud's columns, one after another, without the beginning.
 #pragma once
 
 #include <algorithm>
@@ -92,7 +92,8 @@ inline Bytes sized(const Bytes& stream) {
   return bytes;
 }
 
-inline Bytes cloudHeader(uint32_t records, const std::vector<uint8_t>& components) {
+/// What libdraco wants before the columns (docs/format.md, "The cloud of a stream").
+inline Bytes cloudBeginning(uint32_t records, const std::vector<uint8_t>& components) {
   Bytes bytes = {'D', 'R', 'A', 'C', 'O', 2, 3, 0, 0, 0, 0};
   appendU32(bytes, records);
   bytes.push_back(1);

@@ -12,14 +12,15 @@
 #include <string>
 #include <vector>
 
+#include "cloud_writer.h"
 #include "lithe/format/page.h"
 
 namespace lithe::test {
 
 /// Columns of a Draco cloud, record by record, as Draco gives them (unsigned columns are zigzagged).
-inline std::vector<std::vector<int32_t>> columnsOfCloud(const uint8_t* bytes, size_t size) {
+inline std::vector<std::vector<int32_t>> columnsOfCloud(const std::vector<uint8_t>& bytes) {
   draco::DecoderBuffer buffer;
-  buffer.Init(reinterpret_cast<const char*>(bytes), size);
+  buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   draco::Decoder decoder;
   auto result = decoder.DecodePointCloudFromBuffer(&buffer);
   if (!result.ok()) throw std::runtime_error("libdraco: " + result.status().error_msg_string());
@@ -89,17 +90,18 @@ inline ReadPage readPage(const std::vector<uint8_t>& bytes, format::WedgeAttribu
   for (uint32_t s = 0; s < streams; ++s) {
     if (page.records[s] == 0) continue;
     if (sizes[s] > bytes.size() - at) throw std::runtime_error("a stream is cut short");
-    page.values[s] = columnsOfCloud(bytes.data() + at, sizes[s]);
-    at += sizes[s];
     format::StreamAttribute specs[format::kMaxStreamAttributes];
     const uint32_t count = page.kind == format::kBasePage ? format::baseStreamAttributes(s, has, specs)
                                                           : format::splitStreamAttributes(s, has, specs);
-    if (page.values[s].size() != count) throw std::runtime_error("a stream has other attributes than it must");
+    std::vector<uint8_t> components;
+    for (uint32_t a = 0; a < count; ++a) components.push_back(specs[a].components);
+    Bytes cloud = cloudBeginning(page.records[s], components);
+    append(cloud, {bytes.data() + at, bytes.data() + at + sizes[s]});
+    page.values[s] = columnsOfCloud(cloud);
+    at += sizes[s];
     for (uint32_t a = 0; a < count; ++a) {
-      if (page.values[s][a].size() != size_t{page.records[s]} * specs[a].components)
-        throw std::runtime_error("an attribute has another number of values than it must");
-      if (specs[a].is_unsigned)
-        for (int32_t& value : page.values[s][a]) value = unsignedOf(value);
+      if (!specs[a].is_unsigned) continue;
+      for (int32_t& value : page.values[s][a]) value = unsignedOf(value);
     }
   }
   for (uint32_t i = 0; i < low_bytes; ++i) page.low_bits.push_back(byte());

@@ -6,6 +6,7 @@
 #include <draco/compression/expert_encode.h>
 #include <draco/point_cloud/point_cloud.h>
 
+#include <algorithm>
 #include <string>
 
 #include "lithe/bake/model.h"
@@ -84,6 +85,11 @@ std::vector<uint8_t> encodeAt(const draco::PointCloud& cloud, int speed, bool ra
   return {buffer.data(), buffer.data() + buffer.size()};
 }
 
+/// Bitstream 2.3, without flags.
+constexpr uint8_t kSequentialCloud[] = {
+    'D', 'R', 'A', 'C', 'O', 2, 3, draco::POINT_CLOUD, draco::POINT_CLOUD_SEQUENTIAL_ENCODING, 0, 0};
+constexpr uint8_t kOneDecoder = 1, kNotNormalised = 0;
+
 }  // namespace
 
 std::vector<uint8_t> encodeCloud(const CloudColumns& columns) {
@@ -98,6 +104,27 @@ std::vector<uint8_t> encodeCloud(const CloudColumns& columns) {
     if (smallest.empty() || bytes.size() < smallest.size()) smallest = std::move(bytes);
   }
   return smallest;
+}
+
+std::vector<uint8_t> cloudBeginning(uint32_t records, const std::vector<uint8_t>& components) {
+  std::vector<uint8_t> bytes(std::begin(kSequentialCloud), std::end(kSequentialCloud));
+  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<uint8_t>(records >> shift));
+  const uint8_t count = static_cast<uint8_t>(components.size());
+  bytes.push_back(kOneDecoder);
+  bytes.push_back(count);
+  for (uint8_t id = 0; id < count; ++id)
+    for (const uint8_t byte :
+         {uint8_t{draco::GeometryAttribute::GENERIC}, uint8_t{draco::DT_INT32}, components[id], kNotNormalised, id})
+      bytes.push_back(byte);
+  for (uint8_t id = 0; id < count; ++id) bytes.push_back(draco::SEQUENTIAL_ATTRIBUTE_ENCODER_INTEGER);
+  return bytes;
+}
+
+std::vector<uint8_t> withoutBeginning(const std::vector<uint8_t>& cloud, const std::vector<uint8_t>& beginning) {
+  const auto [rest, differs] = std::mismatch(cloud.begin(), cloud.end(), beginning.begin(), beginning.end());
+  if (differs != beginning.end())
+    throw Error("Draco cloud: this libdraco begins it otherwise than the format; build with libdraco 1.5");
+  return {rest, cloud.end()};
 }
 
 }  // namespace lithe::bake

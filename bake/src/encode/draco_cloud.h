@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 /// Integer columns -> a Draco point cloud of the subset that the runtime reads: version 2.3, sequential encoding, every
 /// column one GENERIC INT32 attribute, no prediction. The order of the records is kept.
+///
+/// Every such cloud begins with bytes that its reader knows already; a page leaves them out.
 #pragma once
 
 #include <cstdint>
@@ -26,5 +28,13 @@ struct CloudColumns {
 /// all that differ are tried; of equal ones the coarsest precision, which decodes fastest, is kept. Same input, same
 /// bytes. Throws Error for an empty cloud, a wrong count, or a value out of range.
 std::vector<uint8_t> encodeCloud(const CloudColumns& columns);
+
+/// The beginning of a cloud (docs/format.md, "The cloud of a stream"): what it says of its records and columns.
+/// components  of each column: 1..127 of them
+std::vector<uint8_t> cloudBeginning(uint32_t records, const std::vector<uint8_t>& components);
+
+/// The rest of a cloud behind its beginning: a stream of a page. Throws Error when the cloud begins otherwise, since
+/// another libdraco made it.
+std::vector<uint8_t> withoutBeginning(const std::vector<uint8_t>& cloud, const std::vector<uint8_t>& beginning);
 
 }  // namespace lithe::bake

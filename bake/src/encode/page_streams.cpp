@@ -14,10 +14,13 @@ void putVarint(std::vector<uint8_t>& out, uint64_t value) {
 
 std::vector<uint8_t> encodeStream(const StreamData& stream) {
   CloudColumns cloud;
+  std::vector<uint8_t> components;
   cloud.records = stream.records();
-  for (const StreamData::Attribute& attribute : stream.attributes)
+  for (const StreamData::Attribute& attribute : stream.attributes) {
     cloud.columns.push_back({attribute.spec.components, attribute.spec.is_unsigned, attribute.values});
-  return encodeCloud(cloud);
+    components.push_back(attribute.spec.components);
+  }
+  return withoutBeginning(encodeCloud(cloud), cloudBeginning(cloud.records, components));
 }
 
 }  // namespace
@@ -50,10 +53,10 @@ std::vector<uint8_t> writePage(const PageData& page, PageBytes* bytes) {
     const uint32_t records = page.streams[s].records();
     putVarint(table, records);
     if (records == 0) continue;
-    const std::vector<uint8_t> cloud = encodeStream(page.streams[s]);
-    putVarint(table, cloud.size());
-    payload.insert(payload.end(), cloud.begin(), cloud.end());
-    bytes->streams[s] = static_cast<uint32_t>(cloud.size());
+    const std::vector<uint8_t> stream = encodeStream(page.streams[s]);
+    putVarint(table, stream.size());
+    payload.insert(payload.end(), stream.begin(), stream.end());
+    bytes->streams[s] = static_cast<uint32_t>(stream.size());
   }
   putVarint(table, page.low_bits.size());
   payload.insert(payload.end(), page.low_bits.begin(), page.low_bits.end());

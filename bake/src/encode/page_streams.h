@@ -69,7 +69,8 @@ struct PageBytes {
   uint32_t overhead = 0;
 };
 
-/// Entropy codes a page with Draco. Throws Error when a symbol is beyond what a stream can hold.
+/// Entropy codes a page with Draco. Throws Error when a symbol is beyond what a stream can hold, or when libdraco
+/// writes other clouds than the format has.
 std::vector<uint8_t> writePage(const PageData& page, PageBytes* bytes);
 
 }  // namespace lithe::bake

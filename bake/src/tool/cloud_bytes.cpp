@@ -9,6 +9,7 @@
 
 #include <memory>
 
+#include "draco_cloud.h"
 #include "lithe/bake/model.h"
 
 namespace lithe::tool {
@@ -59,6 +60,14 @@ class WatchedCloud : public draco::PointCloudSequentialDecoder {
   }
 };
 
+std::vector<uint8_t> wholeCloud(const PageTable::Stream& stream, std::span<const format::StreamAttribute> attributes) {
+  std::vector<uint8_t> components;
+  for (const format::StreamAttribute& attribute : attributes) components.push_back(attribute.components);
+  std::vector<uint8_t> cloud = bake::cloudBeginning(stream.records, components);
+  cloud.insert(cloud.end(), stream.bytes.begin(), stream.bytes.end());
+  return cloud;
+}
+
 std::vector<int32_t> valuesOf(const draco::PointCloud& cloud, int32_t id) {
   const draco::PointAttribute& attribute = *cloud.attribute(id);
   std::vector<int32_t> values(attribute.size() * static_cast<size_t>(attribute.num_components()));
@@ -68,19 +77,19 @@ std::vector<int32_t> valuesOf(const draco::PointCloud& cloud, int32_t id) {
 
 }  // namespace
 
-CloudBytes measureCloud(std::span<const uint8_t> bytes, const std::string& place) {
+CloudBytes measureCloud(const PageTable::Stream& stream, std::span<const format::StreamAttribute> attributes,
+                        const std::string& place) {
+  const std::vector<uint8_t> bytes = wholeCloud(stream, attributes);
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   WatchedCloud decoder;
   draco::PointCloud cloud;
   const draco::Status status = decoder.Decode(draco::DecoderOptions(), &buffer, &cloud);
-  if (!status.ok()) throw bake::Error(place + ": is no cloud of integers; copy the file again or bake it again");
+  if (!status.ok() || buffer.remaining_size() != 0)
+    throw bake::Error(place + ": is no cloud of integers; copy the file again or bake it again");
   CloudBytes measured;
-  measured.header_bytes = bytes.size();
-  for (int32_t id = 0; id < cloud.num_attributes(); ++id) {
+  for (int32_t id = 0; id < cloud.num_attributes(); ++id)
     measured.attributes.push_back({decoder.seen[static_cast<size_t>(id)], valuesOf(cloud, id)});
-    measured.header_bytes -= measured.attributes.back().bytes;
-  }
   return measured;
 }
 

@@ -37,7 +37,6 @@ enum KindIndex : size_t {
   kSkeleton,
   kFileTables,
   kPageTables,
-  kStreamHeaders,
   kKindCount
 };
 
@@ -63,8 +62,7 @@ constexpr KindName kNames[kKindCount] = {{"connectivity", "flags"},
                                          {"base page", "base page"},
                                          {"tables", "skeleton and names"},
                                          {"tables", "head"},
-                                         {"tables", "page tables"},
-                                         {"tables", "stream headers"}};
+                                         {"tables", "page tables"}};
 
 KindIndex kindOfSplitAttribute(size_t attribute) {
   switch (attribute) {
@@ -182,8 +180,9 @@ class Counter {
     std::vector<int32_t> masks;
     for (size_t s = 0; s < table.streams.size(); ++s) {
       if (table.streams[s].records == 0) continue;
-      CloudBytes cloud = measureCloud(table.streams[s].bytes, place + ", stream " + std::to_string(s));
-      addBytes(kStreamHeaders, cloud.header_bytes);
+      format::StreamAttribute attributes[format::kMaxStreamAttributes];
+      const uint32_t count = format::splitStreamAttributes(static_cast<uint32_t>(s), has_, attributes);
+      CloudBytes cloud = measureCloud(table.streams[s], {attributes, count}, place + ", stream " + std::to_string(s));
       for (size_t a = 0; a < cloud.attributes.size(); ++a)
         addBytes(s == format::kSplits ? kindOfSplitAttribute(a) : kindOfStream(s), cloud.attributes[a].bytes);
       if (s == format::kExtraMasks) masks = std::move(cloud.attributes[0].values);

@@ -1,15 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
-"""One stream of a page: a Draco point cloud, bitstream 2.3, sequential, of GENERIC INT32 attributes (docs/format.md,
-section Streams; for rANS Draco's own specification, section Rans Decoding).
+"""One stream of a page: a Draco point cloud of integer attributes, without its beginning (docs/format.md, section The
+cloud of a stream; for rANS Draco's own specification, section Rans Decoding).
 
 Everything that is wrong with a cloud is check 65.
 """
 from refused import demand
 
-POINT_CLOUD, SEQUENTIAL = 0, 0
-GENERIC, INT32 = 4, 5
-INTEGER_CODER = 1
 PREDICTION_NONE = 0xFE
 TAGGED, RAW = 0, 1
 TAG_BITS = 5
@@ -146,22 +143,6 @@ def read_symbols(source, records, components):
     return raw_symbols(source, records * components)
 
 
-def read_layout(source, records, attributes):
-    """Everything before the values: it must state exactly what the page does."""
-    expect(source.take(5) == b"DRACO" and source.take(2) == bytes((2, 3)), "a stream is not Draco 2.3")
-    expect((source.integer(1), source.integer(1)) == (POINT_CLOUD, SEQUENTIAL), "a stream is not a sequential cloud")
-    expect(source.integer(2) == 0, "a stream has flags")
-    expect(source.integer(4) == records, "a stream has other records than stated")
-    expect(source.integer(1) == 1, "a stream has more than one group of attributes")
-    expect(source.varint() == len(attributes), "a stream has other attributes than it should")
-    for index, (components, _) in enumerate(attributes):
-        kind = [source.integer(1) for _ in range(4)]
-        expect(kind == [GENERIC, INT32, components, 0], "an attribute is of another type")
-        expect(source.varint() == index, "the attributes are out of order")
-    for _ in attributes:
-        expect(source.integer(1) == INTEGER_CODER, "an attribute is not coded as integers")
-
-
 def to_value(symbol, signed):
     """A signed value is the cloud's, an unsigned one what the cloud's value was before its zigzag was undone."""
     if not signed:
@@ -179,7 +160,6 @@ def read_cloud(data, records, attributes):
     returns     a list of `records` flat lists, the attributes' components one after another
     """
     source = Bytes(data)
-    read_layout(source, records, attributes)
     rows = [[] for _ in range(records)]
     for components, signed in attributes:
         symbols = read_symbols(source, records, components)

@@ -1,9 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 """A page with other values in its streams: written anew without entropy coding, so that only what is said changes."""
-import struct
-
-from draco_cloud import GENERIC, INT32, INTEGER_CODER, MAX_PLAIN_BYTES, PREDICTION_NONE
+from draco_cloud import MAX_PLAIN_BYTES, PREDICTION_NONE
 from page_streams import PARAMETER_BYTES, PageStreams, base_attributes, split_attributes
 
 LARGEST = (1 << 18) - 10
@@ -18,13 +16,9 @@ def varint(value):
     return bytes(result)
 
 
-def plain_cloud(rows, attributes):
-    """A Draco cloud of uncompressed values."""
-    result = bytearray(b"DRACO\x02\x03\x00\x00\x00\x00" + struct.pack("<IBB", len(rows), 1, len(attributes)))
-    for index, (components, _) in enumerate(attributes):
-        result += bytes((GENERIC, INT32, components, 0, index))
-    result += bytes([INTEGER_CODER] * len(attributes))
-    first = 0
+def plain_stream(rows, attributes):
+    """A stream of uncompressed values."""
+    result, first = bytearray(), 0
     for components, signed in attributes:
         result += bytes((PREDICTION_NONE, 0, MAX_PLAIN_BYTES))
         for row in rows:
@@ -54,11 +48,11 @@ class OpenPage:
         return kinds[place]
 
     def bytes(self):
-        clouds = [plain_cloud(rows, kinds) if rows else b"" for rows, kinds in zip(self.rows, self.attributes)]
-        table = b"".join(varint(len(rows)) + (varint(len(cloud)) if rows else b"")
-                         for rows, cloud in zip(self.rows, clouds))
+        coded = [plain_stream(rows, kinds) if rows else b"" for rows, kinds in zip(self.rows, self.attributes)]
+        table = b"".join(varint(len(rows)) + (varint(len(stream)) if rows else b"")
+                         for rows, stream in zip(self.rows, coded))
         fixed = self.data[: 1 + PARAMETER_BYTES]
-        return fixed + table + varint(len(self.low)) + b"".join(clouds) + self.low + self.tail
+        return fixed + table + varint(len(self.low)) + b"".join(coded) + self.low + self.tail
 
     def change(self, source):
         """Gives a value of some stream another one, near or far; returns what was done."""

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "cloud_writer.h"
-#include "draco_values.h"
 #include "random.h"
 #include "rans.h"
 
@@ -20,8 +19,12 @@ struct Decoded {
   std::vector<std::vector<int32_t>> values;
   std::vector<uint64_t> scratch;
 
-  CloudResult decode(const Bytes& bytes, uint32_t records, const std::vector<ColumnSpec>& columns) {
-    const Bytes exact(bytes);
+  CloudResult decode(const Bytes& bytes, uint32_t records, const std::vector<ColumnSpec>& columns,
+                     const Bytes& lead = {}) {
+    Bytes exact;
+    exact.reserve(lead.size() + bytes.size());
+    test::append(exact, lead);
+    test::append(exact, bytes);
     std::vector<int32_t*> outs;
     values.resize(columns.size());
     for (size_t i = 0; i < columns.size(); ++i) {
@@ -29,8 +32,14 @@ struct Decoded {
       outs.push_back(values[i].data());
     }
     scratch.resize((decodeScratchSize(records, bytes.size()) + 7) / 8);
-    return decodeCloud(exact.data(), exact.size(), records, columns.data(), static_cast<uint32_t>(columns.size()),
-                       outs.data(), {scratch.data(), scratch.size() * 8});
+    const CloudJob job = {exact.data() + lead.size(),
+                          bytes.size(),
+                          lead.size(),
+                          records,
+                          columns.data(),
+                          static_cast<uint32_t>(columns.size()),
+                          outs.data()};
+    return decodeClouds(&job, 1, {scratch.data(), scratch.size() * 8}, nullptr);
   }
 };
 
@@ -60,8 +69,8 @@ TEST(DracoCloud, ReadsEverySchemeInOneCloud) {
                               wide = someSymbols(random, 60, 1 << 18);
   Bytes plain = {0xfe, 0, 1};
   for (uint32_t i = 0; i < 60; ++i) plain.push_back(static_cast<uint8_t>(i));
-  const Bytes bytes = joined({test::cloudHeader(60, {2, 3, 1, 1}), test::rawColumn(raw, 6),
-                              test::taggedColumn(tagged, 3), test::rawColumn(wide, 14), plain});
+  const Bytes bytes =
+      joined({test::rawColumn(raw, 6), test::taggedColumn(tagged, 3), test::rawColumn(wide, 14), plain});
   Decoded decoded;
   ASSERT_EQ(
       CloudResult::kOk,
@@ -76,7 +85,7 @@ TEST(DracoCloud, ReadsEverySchemeInOneCloud) {
 TEST(DracoCloud, ColumnsOutnumberLanes) {
   Random random(2);
   const std::vector<uint8_t> components = {4, 1, 2, 1, 3, 1, 4, 4, 1};
-  Bytes bytes = test::cloudHeader(500, components);
+  Bytes bytes;
   std::vector<ColumnSpec> columns;
   std::vector<std::vector<uint32_t>> symbols;
   for (uint8_t count : components) {
@@ -99,10 +108,10 @@ TEST(DracoCloud, SeveralCloudsAtOnceAndWhichOneIsWrong) {
   CloudJob jobs[3];
   for (int i = 0; i < 3; ++i) {
     symbols[i] = someSymbols(random, records[i], 90);
-    bytes[i] = joined({test::cloudHeader(records[i], {1}), test::rawColumn(symbols[i], 7)});
+    bytes[i] = test::rawColumn(symbols[i], 7);
     values[i].resize(records[i]);
     outs[i] = values[i].data();
-    jobs[i] = {bytes[i].data(), bytes[i].size(), records[i], &kOneUnsigned, 1, &outs[i]};
+    jobs[i] = {bytes[i].data(), bytes[i].size(), 0, records[i], &kOneUnsigned, 1, &outs[i]};
   }
   std::vector<uint64_t> memory(decodeScratchSize(300, SIZE_MAX) / 8 + 1);
   const DecodeScratch scratch = {memory.data(), memory.size() * 8};
@@ -127,8 +136,8 @@ struct SmallCloud {
 
   SmallCloud() {
     Random random(4);
-    bytes = joined({test::cloudHeader(kRecords, {1, 2}), test::rawColumn(someSymbols(random, 20, 30), 5),
-                    test::taggedColumn(someSymbols(random, 40, 5000), 2)});
+    bytes =
+        joined({test::rawColumn(someSymbols(random, 20, 30), 5), test::taggedColumn(someSymbols(random, 40, 5000), 2)});
   }
 
   CloudResult decode() const { return Decoded().decode(bytes, kRecords, columns); }
@@ -142,30 +151,20 @@ struct SmallCloud {
 TEST(DracoCloud, AnotherLayoutIsRefused) {
   const SmallCloud cloud;
   ASSERT_EQ(CloudResult::kOk, cloud.decode());
-  EXPECT_EQ(CloudResult::kLayout, Decoded().decode(cloud.bytes, 21, cloud.columns));
-  EXPECT_EQ(CloudResult::kLayout, Decoded().decode(cloud.bytes, 20, {kOneUnsigned}));
-  EXPECT_EQ(CloudResult::kLayout, Decoded().decode(cloud.bytes, 20, {kOneUnsigned, kOneSigned}));
-}
-
-TEST(DracoCloud, EveryHeaderByteCounts) {
-  const SmallCloud cloud;
-  const size_t header = test::cloudHeader(20, {1, 2}).size();
-  for (size_t at = 0; at < header; ++at) {
-    const CloudResult result = cloud.decodeWith(at, cloud.bytes[at] ^ 0x40);
-    EXPECT_TRUE(result == CloudResult::kForeign || result == CloudResult::kLayout) << at;
-  }
+  EXPECT_EQ(CloudResult::kStream, Decoded().decode(cloud.bytes, 21, cloud.columns));
+  EXPECT_EQ(CloudResult::kTrailing, Decoded().decode(cloud.bytes, 20, {kOneUnsigned}));
+  EXPECT_EQ(CloudResult::kTruncated, Decoded().decode(cloud.bytes, 20, {kOneUnsigned, cloud.columns[1], kOneSigned}));
 }
 
 TEST(DracoCloud, UnknownPredictionsTransformsAndSchemesAreRefused) {
   const SmallCloud cloud;
-  const size_t column = test::cloudHeader(20, {1, 2}).size();
   for (uint32_t value = 0; value < 256; ++value) {
     const uint8_t byte = static_cast<uint8_t>(value);
-    EXPECT_EQ(byte == 0xfe, cloud.decodeWith(column, byte) == CloudResult::kOk) << value;
-    EXPECT_EQ(byte == 1, cloud.decodeWith(column + 1, byte) == CloudResult::kOk) << value;
-    EXPECT_EQ(byte > 1, cloud.decodeWith(column + 2, byte) == CloudResult::kForeign) << value;
+    EXPECT_EQ(byte == 0xfe, cloud.decodeWith(0, byte) == CloudResult::kOk) << value;
+    EXPECT_EQ(byte == 1, cloud.decodeWith(1, byte) == CloudResult::kOk) << value;
+    EXPECT_EQ(byte > 1, cloud.decodeWith(2, byte) == CloudResult::kForeign) << value;
     const bool no_precision = byte == 0 || byte > 18;
-    EXPECT_TRUE(!no_precision || cloud.decodeWith(column + 3, byte) == CloudResult::kFrequencies) << value;
+    EXPECT_TRUE(!no_precision || cloud.decodeWith(3, byte) == CloudResult::kFrequencies) << value;
   }
 }
 
@@ -185,7 +184,7 @@ TEST(DracoCloud, TrailingBytesAreRefused) {
 }
 
 TEST(DracoCloud, FillingBitsMustBeZero) {
-  const Bytes bytes = joined({test::cloudHeader(1, {1}), test::taggedColumn({5}, 1)});
+  const Bytes bytes = test::taggedColumn({5}, 1);
   ASSERT_EQ(CloudResult::kOk, Decoded().decode(bytes, 1, {kOneSigned}));
   Bytes changed = bytes;
   changed.back() |= 0x80;
@@ -193,16 +192,15 @@ TEST(DracoCloud, FillingBitsMustBeZero) {
 }
 
 TEST(DracoCloud, TagsOfMoreThan19BitsAreRefused) {
-  const Bytes bytes = joined({test::cloudHeader(2, {1}), test::taggedColumn({5, 1 << 19}, 1)});
+  const Bytes bytes = test::taggedColumn({5, 1 << 19}, 1);
   EXPECT_EQ(CloudResult::kFrequencies, Decoded().decode(bytes, 2, {kOneUnsigned}));
 }
 
 TEST(DracoCloud, PlainValuesOfMoreThan19BitsAreRefused) {
-  const Bytes head = joined({test::cloudHeader(1, {1}), {0xfe, 0, 3}});
+  const Bytes head = {0xfe, 0, 3};
   EXPECT_EQ(CloudResult::kOk, Decoded().decode(joined({head, {0xff, 0xff, 0x07}}), 1, {kOneSigned}));
   EXPECT_EQ(CloudResult::kRange, Decoded().decode(joined({head, {0xff, 0xff, 0x08}}), 1, {kOneSigned}));
-  EXPECT_EQ(CloudResult::kRange,
-            Decoded().decode(joined({test::cloudHeader(1, {1}), {0xfe, 0, 4, 0, 0, 0, 0}}), 1, {kOneSigned}));
+  EXPECT_EQ(CloudResult::kRange, Decoded().decode({0xfe, 0, 4, 0, 0, 0, 0}, 1, {kOneSigned}));
 }
 
 TEST(DracoCloud, CallersMistakesAreRefused) {
@@ -245,10 +243,9 @@ TEST(DracoCloud, RandomDamageIsHarmless) {
   Decoded once, twice;
   for (int round = 0; round < 20000; ++round) {
     SmallCloud damaged = cloud;
-    const size_t header = test::cloudHeader(20, {1, 2}).size();
     for (uint32_t k = 1 + random.below(3); k > 0; --k) {
-      const size_t at = header + random.below(static_cast<uint32_t>(damaged.bytes.size() - header));
-      damaged.bytes[at] = static_cast<uint8_t>(random.below(256));
+      damaged.bytes[random.below(static_cast<uint32_t>(damaged.bytes.size()))] =
+          static_cast<uint8_t>(random.below(256));
     }
     if (random.chance(10)) damaged.bytes.resize(random.below(static_cast<uint32_t>(damaged.bytes.size())));
     const CloudResult result = once.decode(damaged.bytes, SmallCloud::kRecords, cloud.columns);
@@ -263,14 +260,12 @@ TEST(DracoCloud, RandomDamageIsHarmless) {
 TEST(DracoCloud, AcceptedValuesAreInRange) {
   Random random(6);
   for (int round = 0; round < 3000; ++round) {
-    Bytes bytes = test::cloudHeader(4, {1});
     const Bytes columns[3] = {test::taggedColumn(someSymbols(random, 4, 1 << 19), 1),
                               test::rawColumn(someSymbols(random, 4, 1 << 18), 18),
                               {0xfe, 0, 3, 1, 2, 3, 4, 5, 6, 7, 0, 1, 1, 1, 7}};
-    const size_t header = bytes.size();
-    test::append(bytes, columns[random.below(3)]);
+    Bytes bytes = columns[random.below(3)];
     for (int k = 0; k < 2; ++k) {
-      bytes[header + 3 + random.below(static_cast<uint32_t>(bytes.size() - header - 3))] ^= 1u << random.below(8);
+      bytes[3 + random.below(static_cast<uint32_t>(bytes.size() - 3))] ^= 1u << random.below(8);
     }
     for (ColumnKind kind : {ColumnKind::kSigned, ColumnKind::kUnsigned}) {
       Decoded decoded;
@@ -284,40 +279,42 @@ TEST(DracoCloud, AcceptedValuesAreInRange) {
   }
 }
 
+/// Whether a cloud is taken, and its values, do not depend on what lies before it.
+TEST(DracoCloud, WhatLiesBeforeItIsLookedAtButDoesNotCount) {
+  Random random(7);
+  const SmallCloud cloud;
+  Decoded alone, behind;
+  for (int round = 0; round < 2000; ++round) {
+    SmallCloud damaged = cloud;
+    if (random.chance(80))
+      damaged.bytes[random.below(static_cast<uint32_t>(cloud.bytes.size()))] ^= 1 << random.below(8);
+    Bytes lead(random.below(40));
+    for (uint8_t& byte : lead) byte = static_cast<uint8_t>(random.below(256));
+    const CloudResult result = alone.decode(damaged.bytes, SmallCloud::kRecords, cloud.columns);
+    const CloudResult again = behind.decode(damaged.bytes, SmallCloud::kRecords, cloud.columns, lead);
+    ASSERT_EQ(result == CloudResult::kOk, again == CloudResult::kOk);
+    ASSERT_TRUE(result != CloudResult::kOk || alone.values == behind.values);
+  }
+}
+
+/// Before a stream a lane needs kRansLead bytes that it may look at: the shortest column has them.
+TEST(DracoCloud, ShortestColumnsNeedNothingBeforeThem) {
+  for (const uint32_t records : {1u, 2u, 5000u}) {
+    const std::vector<uint32_t> same(records, 1);
+    for (const Bytes& bytes : {test::rawColumn(same, 1), test::taggedColumn(same, 1)}) {
+      Decoded decoded;
+      ASSERT_EQ(CloudResult::kOk, decoded.decode(bytes, records, {kOneUnsigned}));
+      EXPECT_EQ(asInts(same), decoded.values[0]);
+    }
+  }
+}
+
 /// 2^20 slots in a cloud of one record.
 TEST(DracoCloud, LargestPrecisionForOneRecord) {
-  const Bytes bytes = joined({test::cloudHeader(1, {1}), test::rawColumn({200000}, 18)});
+  const Bytes bytes = test::rawColumn({200000}, 18);
   Decoded decoded;
   ASSERT_EQ(CloudResult::kOk, decoded.decode(bytes, 1, {kOneUnsigned}));
   EXPECT_EQ(200000, decoded.values[0][0]);
-}
-
-// ---- Differences
-// -------------------------------------------------------------------------------------------------------
-
-TEST(DracoValues, DifferencesWrapIntoTheirRange) {
-  int32_t values[] = {3, 1, 5, -6};  // from 0 in [0, 7]: 3, 4, 9 - 8, -5 + 8
-  ASSERT_EQ(CloudResult::kOk, sumDifferences(4, 1, 0, 7, values));
-  EXPECT_EQ(3, values[0]);
-  EXPECT_EQ(4, values[1]);
-  EXPECT_EQ(1, values[2]);
-  EXPECT_EQ(3, values[3]);
-}
-
-TEST(DracoValues, DifferencesBeginAtTheNearestValueToZero) {
-  int32_t values[] = {2, 7};
-  ASSERT_EQ(CloudResult::kOk, sumDifferences(1, 2, 10, 20, values));
-  EXPECT_EQ(12, values[0]);
-  EXPECT_EQ(17, values[1]);
-}
-
-TEST(DracoValues, DifferencesOutsideAreRefused) {
-  int32_t one[] = {20};
-  EXPECT_EQ(CloudResult::kRange, sumDifferences(1, 1, 0, 7, one));
-  int32_t two[] = {0};
-  EXPECT_EQ(CloudResult::kRange, sumDifferences(1, 1, 7, 0, two));
-  EXPECT_EQ(CloudResult::kRange, sumDifferences(1, 1, -(1 << 18) - 1, 0, two));
-  EXPECT_EQ(CloudResult::kRange, sumDifferences(1, 1, 0, 1 << 18, two));
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 ///
 ///     kind (1 byte) | parameters (kParameterBytes) | stream table (2 varints per stream) | streams | low bits | hidden
 ///
-/// A *stream* is a Draco point cloud of `records` points with one or more integer attributes, or nothing (records 0).
+/// A *stream* is a Draco point cloud of `records` points with one or more integer attributes, without the beginning
+/// that says so; or nothing (records 0).
 #pragma once
 
 #include <stdint.h>

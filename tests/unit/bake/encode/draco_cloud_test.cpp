@@ -12,10 +12,24 @@
 namespace lithe::bake {
 namespace {
 
+std::vector<uint8_t> componentsOf(const CloudColumns& cloud) {
+  std::vector<uint8_t> components;
+  for (const CloudColumn& column : cloud.columns) components.push_back(static_cast<uint8_t>(column.components));
+  return components;
+}
+
+void expectBeginning(const CloudColumns& cloud, const std::vector<uint8_t>& bytes) {
+  const std::vector<uint8_t> beginning = cloudBeginning(cloud.records, componentsOf(cloud));
+  std::vector<uint8_t> whole = beginning;
+  test::append(whole, withoutBeginning(bytes, beginning));
+  EXPECT_EQ(whole, bytes);
+}
+
 void expectRoundTrip(const CloudColumns& cloud) {
   const std::vector<uint8_t> bytes = encodeCloud(cloud);
-  std::vector<std::vector<int32_t>> columns = test::columnsOfCloud(bytes.data(), bytes.size());
+  std::vector<std::vector<int32_t>> columns = test::columnsOfCloud(bytes);
   ASSERT_EQ(columns.size(), cloud.columns.size());
+  expectBeginning(cloud, bytes);
   for (size_t i = 0; i < columns.size(); ++i) {
     if (cloud.columns[i].is_unsigned)
       for (int32_t& value : columns[i]) value = test::unsignedOf(value);
@@ -23,14 +37,22 @@ void expectRoundTrip(const CloudColumns& cloud) {
   }
 }
 
-TEST(DracoCloud, HeaderIsThatOfASequentialCloudOfVersion2_3) {
-  const std::vector<uint8_t> bytes = encodeCloud({1, {{1, false, {7}}}});
-  ASSERT_GE(bytes.size(), 9u);
-  EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 5), "DRACO");
-  EXPECT_EQ(bytes[5], 2);
-  EXPECT_EQ(bytes[6], 3);
-  EXPECT_EQ(bytes[7], 0);  // a point cloud
-  EXPECT_EQ(bytes[8], 0);  // sequential
+TEST(DracoCloud, BeginningIsWhatThePageSays) {
+  EXPECT_EQ(cloudBeginning(0x1234567, {3, 1}),
+            (std::vector<uint8_t>{'D', 'R', 'A', 'C', 'O', 2, 3, 0, 0, 0, 0, 0x67, 0x45, 0x23, 1, 1, 2,  //
+                                  4,   5,   3,   0,   0,   4, 5, 1, 0, 1, 1, 1}));
+  const std::vector<uint8_t> most(127, 4);
+  EXPECT_EQ(cloudBeginning(9, most), test::cloudBeginning(9, most));
+}
+
+TEST(DracoCloud, AnotherBeginningIsRefused) {
+  const std::vector<uint8_t> cloud = encodeCloud({1, {{1, false, {7}}}}), beginning = cloudBeginning(1, {1});
+  for (size_t at = 0; at < beginning.size(); ++at) {
+    std::vector<uint8_t> other = cloud;
+    other[at] ^= 1;
+    EXPECT_THROW(withoutBeginning(other, beginning), Error) << at;
+  }
+  EXPECT_THROW(withoutBeginning({'D', 'R'}, beginning), Error);
 }
 
 TEST(DracoCloud, OrderOfRecordsIsKept) {

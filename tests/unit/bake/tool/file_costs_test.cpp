@@ -111,7 +111,9 @@ uint64_t positionLowBits(const PageTable& table, uint32_t extent) {
 }
 
 uint64_t positionStreamBytes(const PageTable& table) {
-  const CloudBytes cloud = measureCloud(table.streams[format::kSplits].bytes, "splits");
+  format::StreamAttribute attributes[format::kMaxStreamAttributes];
+  const uint32_t count = format::splitStreamAttributes(format::kSplits, {}, attributes);
+  const CloudBytes cloud = measureCloud(table.streams[format::kSplits], {attributes, count}, "splits");
   return cloud.attributes[format::kSplitPosition].bytes + cloud.attributes[format::kSplitPositionHeight].bytes;
 }
 
@@ -153,7 +155,11 @@ TEST(FileCosts, DamagedPagesAreRefused) {
   Bytes page = test::encodeSmallFile(test::tinyShape());
   EXPECT_THROW(readPageTable(page, "no page"), bake::Error);
   EXPECT_THROW(readPageTable({}, "nothing"), bake::Error);
-  EXPECT_THROW(measureCloud(page, "no cloud"), bake::Error);
+  const format::StreamAttribute one[] = {{1, true}};
+  EXPECT_THROW(measureCloud({1, page}, one, "no cloud"), bake::Error);
+  const Bytes plain = {0xfe, 0, 1, 7}, more = {0xfe, 0, 1, 7, 7};
+  EXPECT_EQ(measureCloud({1, plain}, one, "a cloud").attributes[0].bytes, plain.size());
+  EXPECT_THROW(measureCloud({1, more}, one, "a cloud and a byte"), bake::Error);
 }
 
 }  // namespace
