@@ -35,12 +35,16 @@ uint64_t recordBound(const PagePlan& plan, const Decoded& before, const PageForm
       return uint64_t{plan.node_count} * (plan.ended_levels ? plan.ended_levels : 1);
     case format::kGeneral:
     case format::kClassPicks:
+    case format::kClassChoices:
     case format::kMemberPicks:
+    case format::kMemberChoices:
     case format::kThirdPicks:
+    case format::kThirdChoices:
       return format::listedBound(splits, plan.face_count);
     case format::kClassesBoth:
     case format::kClassesOne:
-      return plan.wedge_count;
+    case format::kClassesNone:
+      return 2 * uint64_t{plan.wedge_count};
     case format::kColors:
       return wedges * format.has.color_sets;
     case format::kExtras:

@@ -118,10 +118,7 @@ uint32_t SplitDecoder::readRing(int32_t mode) {
   }
   for (uint32_t i = 0; i < edges; ++i) scratch_.at_b[ring_.edge[i]] = (i >= p && i < q) == inside_is_b;
   const uint32_t at[2] = {p, q};
-  for (uint32_t i = 0; i < face_count_; ++i) {
-    const bool past_end = at[i] == edges;
-    ring_faces_[i] = {ring_.vertex[at[i]], (i == 0) == inside_is_b, ring_.edge[past_end ? edges - 1 : at[i]], past_end};
-  }
+  for (uint32_t i = 0; i < face_count_; ++i) ring_faces_[i] = {ring_.vertex[at[i]], (i == 0) == inside_is_b};
   return 0;
 }
 
@@ -267,51 +264,47 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8_rank) {
 
 uint32_t SplitDecoder::readClasses(uint32_t node) {
   first_parent_wedge_ = out_->node_first_wedge[node];
-  const uint32_t count = out_->node_first_wedge[node + 1] - first_parent_wedge_;
+  const uint32_t count = class_count_ = out_->node_first_wedge[node + 1] - first_parent_wedge_;
   if (count > scratch_.capacity) return kCheckWork;
-  for (uint32_t i = 0; i < count; ++i) scratch_.classes[i].at_a = scratch_.classes[i].at_b = false;
-  for (uint32_t i = 0; i < fan_.count; ++i) {
-    WedgeClass& wedge_class = scratch_.classes[scratch_.wedge[i] - first_parent_wedge_];
-    (scratch_.at_b[i] ? wedge_class.at_b : wedge_class.at_a) = true;
-  }
+  for (uint32_t i = 0; i < count; ++i) scratch_.classes[i] = {};
+  for (uint32_t i = 0; i < fan_.count; ++i) scratch_.classes[classOf(i)].has_corners[scratch_.at_b[i]] = true;
   uint64_t total_a = 0, total_b = 0;
   for (uint32_t i = 0; i < count; ++i) {
     WedgeClass& wedge_class = scratch_.classes[i];
-    const bool one_side = wedge_class.at_a != wedge_class.at_b;
-    const int32_t code = streams_->values[one_side ? format::kClassesOne : format::kClassesBoth][0].next();
+    uint32_t &count_a = wedge_class.members[0].count, &count_b = wedge_class.members[1].count;
+    const bool at_a = wedge_class.has_corners[0], at_b = wedge_class.has_corners[1];
+    const uint32_t stream = format::classStream(at_a, at_b), code = readUnsigned(stream);
     if (code > format::kClassListed) return kCheckClasses;
     if (code == format::kClassListed) {
-      wedge_class.count_a = static_cast<uint32_t>(streams_->values[format::kMemberPicks][0].next());
-      wedge_class.count_b = static_cast<uint32_t>(streams_->values[format::kMemberPicks][0].next());
+      count_a = readUnsigned(stream);
+      count_b = readUnsigned(stream);
     } else {
-      const format::ClassCounts counts = format::classCounts(code, wedge_class.at_a, wedge_class.at_b);
-      wedge_class.count_a = counts.a;
-      wedge_class.count_b = counts.b;
+      const format::ClassCounts counts = format::classCounts(code, at_a, at_b);
+      count_a = counts.a;
+      count_b = counts.b;
     }
-    if (wedge_class.count_a == 0 && wedge_class.count_b == 0) return kCheckClasses;
-    total_a += wedge_class.count_a;
-    total_b += wedge_class.count_b;
+    if (count_a == 0 && count_b == 0) return kCheckClasses;
+    total_a += count_a;
+    total_b += count_b;
     if (total_a + total_b > plan_.wedge_count - out_->wedge_count) return kCheckClasses;
   }
   if (total_a == 0 || total_b == 0) return kCheckClasses;
 
   const uint32_t child_a = out_->node_count, first_a = out_->wedge_count;
   const uint32_t first_b = first_a + static_cast<uint32_t>(total_a), end = first_b + static_cast<uint32_t>(total_b);
-  uint32_t next_a = first_a, next_b = first_b;
+  uint32_t next[2] = {first_a, first_b};
   for (uint32_t i = 0; i < count; ++i) {
     WedgeClass& wedge_class = scratch_.classes[i];
-    wedge_class.first_a = next_a;
-    wedge_class.first_b = next_b;
-    next_a += wedge_class.count_a;
-    next_b += wedge_class.count_b;
     const uint32_t parent = first_parent_wedge_ + i;
-    auto adopt = [&](uint32_t wedge, uint32_t child) {
-      out_->wedge_node[wedge] = child;
-      out_->wedge_parent[wedge] = parent;
-      out_->wedge_part[wedge] = out_->wedge_part[parent];
-    };
-    for (uint32_t m = 0; m < wedge_class.count_a; ++m) adopt(wedge_class.first_a + m, child_a);
-    for (uint32_t m = 0; m < wedge_class.count_b; ++m) adopt(wedge_class.first_b + m, child_a + 1);
+    for (uint32_t side = 0; side < 2; ++side) {
+      wedge_class.first[side] = next[side];
+      next[side] += wedge_class.members[side].count;
+      for (uint32_t wedge = wedge_class.first[side]; wedge < next[side]; ++wedge) {
+        out_->wedge_node[wedge] = child_a + side;
+        out_->wedge_parent[wedge] = parent;
+        out_->wedge_part[wedge] = out_->wedge_part[parent];
+      }
+    }
   }
   out_->node_first_wedge[child_a] = first_a;
   out_->node_first_wedge[child_a + 1] = first_b;
@@ -433,19 +426,18 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
   for (uint32_t i = 0; i < count; ++i) {
     const WedgeClass& c = scratch_.classes[i];
     const uint16_t* parent = record(first_parent_wedge_ + i);
-    if (c.count_a && c.count_b) {
+    if (c.atBoth()) {
       const bool predicted = count <= format::kMaxPredictedClasses && fan_.count <= format::kMaxRing;
       neighbours_.count = 0;
       if (predicted) gatherRing(node, count > 1 ? first_parent_wedge_ + i : kNoIndex);
-      if (!readPair(first_parent_wedge_ + i, predicted, t8, parent, record(c.first_a), record(c.first_b)))
+      if (!readPair(first_parent_wedge_ + i, predicted, t8, parent, record(c.first[0]), record(c.first[1])))
         return kCheckWedge;
     } else {
-      memcpy(record(c.count_a ? c.first_a : c.first_b), parent, stride * sizeof(uint16_t));
+      memcpy(record(c.first[c.members[0].count > 0 ? 0 : 1]), parent, stride * sizeof(uint16_t));
     }
-    for (uint32_t m = 1; m < c.count_a; ++m)
-      if (!readExtra(record(c.first_a), record(c.first_a + m))) return kCheckWedge;
-    for (uint32_t m = 1; m < c.count_b; ++m)
-      if (!readExtra(record(c.first_b), record(c.first_b + m))) return kCheckWedge;
+    for (uint32_t side = 0; side < 2; ++side)
+      for (uint32_t m = 1; m < c.members[side].count; ++m)
+        if (!readExtra(record(c.first[side]), record(c.first[side] + m))) return kCheckWedge;
   }
   return 0;
 }
@@ -517,26 +509,27 @@ bool SplitDecoder::readExtra(const uint16_t* first, uint16_t* extra) {
   return true;
 }
 
-uint32_t SplitDecoder::pick(format::SplitStream stream, uint32_t count) {
-  return count > 1 ? static_cast<uint32_t>(streams_->values[stream][0].next()) : 0;
-}
-
-bool SplitDecoder::childWedge(uint32_t wedge_class, bool at_b, uint32_t* wedge) {
-  const WedgeClass& c = scratch_.classes[wedge_class];
-  const uint32_t members = at_b ? c.count_b : c.count_a;
-  const uint32_t member = pick(format::kMemberPicks, members);
-  if (member >= members) return false;
-  *wedge = (at_b ? c.first_b : c.first_a) + member;
+bool SplitDecoder::childWedge(uint32_t wedge_class, bool at_b, format::MemberGuess guess, uint32_t* wedge) {
+  WedgeClass& c = scratch_.classes[wedge_class];
+  format::Members& members = c.members[at_b];
+  uint32_t member = 0;
+  if (members.count > 1)
+    member = format::memberOf(readUnsigned(guess.sure ? format::kMemberPicks : format::kMemberChoices), guess.member);
+  if (member >= members.choices()) return false;
+  members.meet(member);
+  *wedge = c.first[at_b] + member;
   return true;
 }
 
 uint32_t SplitDecoder::moveFan() {
-  for (uint32_t i = 0; i < fan_.count; ++i) {
+  for (uint32_t e = 0; e < fan_.count; ++e) {
+    const uint32_t i = listed_ ? e : ring_.edge[e], at_b = scratch_.at_b[i], wedge_class = classOf(i);
     uint32_t wedge;
-    if (!childWedge(scratch_.wedge[i] - first_parent_wedge_, scratch_.at_b[i], &wedge)) return kCheckPick;
+    if (!childWedge(wedge_class, at_b, scratch_.classes[wedge_class].members[at_b].guessForFan(), &wedge))
+      return kCheckPick;
     out_->face_wedges[fan_.corner[i]] = wedge;
-    linkCorner(out_, fan_.corner[i]);
   }
+  for (uint32_t i = 0; i < fan_.count; ++i) linkCorner(out_, fan_.corner[i]);
   return 0;
 }
 
@@ -556,7 +549,7 @@ uint32_t SplitDecoder::addFaces() {
   const uint32_t neighbours = dropRepeated(sorted, 2 * fan_.count);
   for (uint32_t i = 0; i < face_count_; ++i) {
     const int32_t orientation = streams_->values[format::kGeneral][0].next();
-    NewFace face{0, orientation == 0, kNoIndex, false};
+    NewFace face{0, orientation == 0};
     if (orientation > 1) return kCheckGeneral;
     if (const uint32_t check = listedNode(neighbours, &face.third)) return check;
     if (const uint32_t check = addFace(face)) return check;
@@ -565,35 +558,86 @@ uint32_t SplitDecoder::addFaces() {
 }
 
 uint32_t SplitDecoder::addFace(const NewFace& face) {
-  const uint32_t child_a = out_->node_count - 2;
-  if (face.third >= child_a || out_->node_first_child[face.third] != kNoIndex) return kCheckFace;
-  const uint32_t parent = out_->node_parent[child_a];
-  const uint32_t class_count = out_->node_first_wedge[parent + 1] - first_parent_wedge_;
-  uint32_t guessed_class = kNoIndex, guessed_third = kNoIndex;
-  if (face.beside != kNoIndex) {
-    guessed_class = scratch_.wedge[face.beside] - first_parent_wedge_;
-    const uint32_t corner = fan_.corner[face.beside], k = corner % 3;
-    guessed_third = out_->face_wedges[corner - k + (k + (face.beside_ends ? 2 : 1)) % 3];
-  }
-  const uint32_t class_symbol = class_count > 1 ? pick(format::kClassPicks, class_count) : 1;
-  const uint32_t wedge_class = class_symbol == 0 ? guessed_class : class_symbol - 1;
-  if (wedge_class >= class_count) return kCheckPick;
-  uint32_t wedges[3];
-  if (!childWedge(wedge_class, !face.first_is_a, &wedges[0]) || !childWedge(wedge_class, face.first_is_a, &wedges[2]))
-    return kCheckPick;
-  const uint32_t third_first = out_->node_first_wedge[face.third];
-  const uint32_t third_count = out_->node_first_wedge[face.third + 1] - third_first;
-  const uint32_t third_symbol = third_count > 1 ? pick(format::kThirdPicks, third_count) : 1;
-  wedges[1] = third_symbol == 0 ? guessed_third : third_first + third_symbol - 1;
-  if (wedges[1] - third_first >= third_count) return kCheckPick;
-  if (out_->wedge_part[wedges[1]] != out_->wedge_part[wedges[0]]) return kCheckPick;
+  if (face.third >= out_->node_count - 2 || out_->node_first_child[face.third] != kNoIndex) return kCheckFace;
   const uint32_t first_corner = 3 * out_->face_count;
-  for (uint32_t k = 0; k < 3; ++k) {
-    out_->face_wedges[first_corner + k] = wedges[k];
-    linkCorner(out_, first_corner + k);
-  }
+  uint32_t* wedges = out_->face_wedges + first_corner;
+  if (const uint32_t check = pickWedges(face, wedges)) return check;
+  if (out_->wedge_part[wedges[1]] != out_->wedge_part[wedges[0]]) return kCheckPick;
+  for (uint32_t k = 0; k < 3; ++k) linkCorner(out_, first_corner + k);
   ++out_->face_count;
   return 0;
+}
+
+/// The wedges of a new face's corners. Where there is nothing to choose nothing is looked for.
+uint32_t SplitDecoder::pickWedges(const NewFace& face, uint32_t* wedges) {
+  const uint32_t third_first = out_->node_first_wedge[face.third];
+  const uint32_t third_count = out_->node_first_wedge[face.third + 1] - third_first;
+  const WedgeClass& only = scratch_.classes[0];
+  format::CornersBeside beside;
+  if (class_count_ > 1 || third_count > 1 || only.members[0].count > 1 || only.members[1].count > 1)
+    beside = format::cornersBeside(
+        fan_, [&](uint32_t i) { return scratch_.at_b[i] != 0; }, face.third, face.first_is_a);
+  work_ += (class_count_ > 1 ? class_count_ : 0) + (third_count > 1 ? third_count : 0);
+  if (work_ > format::kMaxPageWork) return kCheckWork;
+  const uint32_t wedge_class = class_count_ > 1 ? pickClass(beside) : 0;
+  if (wedge_class == kNoIndex || !scratch_.classes[wedge_class].atBoth()) return kCheckPick;
+  if (!pickFaceMember(wedge_class, !face.first_is_a, beside.ends, &wedges[0]) ||
+      !pickFaceMember(wedge_class, face.first_is_a, beside.starts, &wedges[2]))
+    return kCheckPick;
+  wedges[1] = third_count > 1 ? pickThird(face.third, wedge_class, beside) : third_first;
+  return failUnless(wedges[1] != kNoIndex, kCheckPick);
+}
+
+/// The wedge of a new face's corner at a child, beside a corner of the fan that has gone there (kNoIndex: none).
+bool SplitDecoder::pickFaceMember(uint32_t wedge_class, bool at_b, uint32_t beside, uint32_t* wedge) {
+  const WedgeClass& c = scratch_.classes[wedge_class];
+  const bool same_class = beside != kNoIndex && classOf(beside) == wedge_class;
+  const uint32_t member = same_class ? out_->face_wedges[fan_.corner[beside]] - c.first[at_b] : kNoIndex;
+  return childWedge(wedge_class, at_b, c.members[at_b].guessForFace(member), wedge);
+}
+
+/// kNoIndex when the pick is out of range.
+uint32_t SplitDecoder::pickClass(const format::CornersBeside& beside) {
+  format::PickList list(class_count_, [&](uint32_t i) {
+    const WedgeClass& c = scratch_.classes[i];
+    if (!c.atBoth()) return format::Standing::kNoChoice;
+    return c.lacksCorners() ? format::Standing::kLacksCorners : format::Standing::kOther;
+  });
+  uint32_t candidates[2] = {kNoIndex, kNoIndex};
+  if (beside.starts != kNoIndex) candidates[0] = classOf(beside.starts);
+  if (beside.ends != kNoIndex) candidates[1] = classOf(beside.ends);
+  list.propose(candidates[0], candidates[1]);
+  if (list.size() < 2) return list.entryAt(0);
+  return list.entryAt(readUnsigned(list.candidates() == 1 ? format::kClassPicks : format::kClassChoices));
+}
+
+/// A wedge of the third node, of the class's part; kNoIndex when there is none or the pick is out of range.
+uint32_t SplitDecoder::pickThird(uint32_t node, uint32_t wedge_class, const format::CornersBeside& beside) {
+  const uint32_t first = out_->node_first_wedge[node];
+  const uint16_t part = out_->wedge_part[first_parent_wedge_ + wedge_class];
+  const format::WedgesInUse in_use = wedgesInUse(node);
+  format::PickList list(out_->node_first_wedge[node + 1] - first, [&](uint32_t i) {
+    if (out_->wedge_part[first + i] != part) return format::Standing::kNoChoice;
+    return in_use.has(i) ? format::Standing::kOther : format::Standing::kLacksCorners;
+  });
+  auto candidate = [&](uint32_t corner, uint32_t step) {
+    if (corner == kNoIndex || classOf(corner) != wedge_class) return kNoIndex;
+    return scratch_.other_wedge[step][corner] - first;
+  };
+  list.propose(candidate(beside.starts, 0), candidate(beside.ends, 1));
+  const bool sure = list.candidates() == 1 && !list.othersLackCorners();
+  const uint32_t entry = list.size() < 2
+                             ? list.entryAt(0)
+                             : list.entryAt(readUnsigned(sure ? format::kThirdPicks : format::kThirdChoices));
+  return entry == kNoIndex ? kNoIndex : first + entry;
+}
+
+format::WedgesInUse SplitDecoder::wedgesInUse(uint32_t node) const {
+  format::WedgesInUse in_use;
+  const uint32_t first = out_->node_first_wedge[node];
+  for (uint32_t corner = out_->node_first_corner[node]; corner != kNoIndex; corner = out_->corner_next[corner])
+    if (!in_use.add(out_->face_wedges[corner] - first)) break;
+  return in_use;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lithe/format/octahedral_chart.h"
+#include "lithe/format/picks.h"
 #include "lithe/format/placement_prediction.h"
 #include "lithe/format/ring_prediction.h"
 #include "page_streams.h"
@@ -11,11 +12,14 @@
 
 namespace lithe::runtime {
 
-/// What the children of a split node get for one of its wedges.
+/// What the children of a split node get for one of its wedges; [0] is child A's, [1] child B's.
 struct WedgeClass {
-  uint32_t first_a, first_b;  ///< first wedge at either child
-  uint32_t count_a, count_b;
-  bool at_a, at_b;  ///< its corners lie at these children
+  uint32_t first[2];  ///< wedge at the child
+  format::Members members[2];
+  bool has_corners[2];  ///< of the fan
+
+  bool atBoth() const { return members[0].count > 0 && members[1].count > 0; }
+  bool lacksCorners() const { return members[0].lacksCorners() || members[1].lacksCorners(); }
 };
 
 /// Sums over the faces of one child before it has moved there.
@@ -53,8 +57,6 @@ class SplitDecoder {
   struct NewFace {
     uint32_t third;  ///< node between the two children, on the far corner
     bool first_is_a;
-    uint32_t beside;   ///< fan entry beside the cut whose wedges are the guess; kNoIndex: none
-    bool beside_ends;  ///< the third node is that face's previous corner (else its next)
   };
 
   /// Visits the nodes of a level in ascending id until there are node_end of them, or until the last of them.
@@ -87,10 +89,16 @@ class SplitDecoder {
   uint32_t moveFan();
   uint32_t addFaces();
   uint32_t addFace(const NewFace& face);
+  uint32_t pickWedges(const NewFace& face, uint32_t* wedges);
+  uint32_t pickClass(const format::CornersBeside& beside);
+  uint32_t pickThird(uint32_t node, uint32_t wedge_class, const format::CornersBeside& beside);
+  format::WedgesInUse wedgesInUse(uint32_t node) const;
   uint32_t readSkins(uint32_t node, int32_t mode, int32_t t8);
   bool readExtra(const uint16_t* first, uint16_t* extra);
-  uint32_t pick(format::SplitStream stream, uint32_t count);
-  bool childWedge(uint32_t wedge_class, bool at_b, uint32_t* wedge);
+  uint32_t readUnsigned(uint32_t stream) { return static_cast<uint32_t>(streams_->values[stream][0].next()); }
+  bool childWedge(uint32_t wedge_class, bool at_b, format::MemberGuess guess, uint32_t* wedge);
+  uint32_t classOf(uint32_t fan_entry) const { return scratch_.wedge[fan_entry] - first_parent_wedge_; }
+  bool pickFaceMember(uint32_t wedge_class, bool at_b, uint32_t beside, uint32_t* wedge);
   int32_t residual(IntReader* high, int32_t low) { return splitValue(streams_, high, low); }
 
   const PageFormat& format_;
@@ -114,6 +122,7 @@ class SplitDecoder {
   uint64_t work_ = 0;
 
   uint32_t first_parent_wedge_ = 0;
+  uint32_t class_count_ = 0;
 };
 
 }  // namespace lithe::runtime

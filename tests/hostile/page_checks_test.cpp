@@ -504,7 +504,7 @@ TEST(PageCheck, N75_HalvesOfAnId) {
 }
 
 TEST(PageCheck, N76_Classes) {
-  for (const uint32_t stream : {uint32_t{kClassesBoth}, uint32_t{kClassesOne}}) {
+  for (const uint32_t stream : {uint32_t{kClassesBoth}, uint32_t{kClassesOne}, uint32_t{kClassesNone}}) {
     expectRefusedWithFirst(stream, 0, kClassListed + 1, 76);
     expectRefusedWithFirst(stream, 0, kFar, 76);
   }
@@ -513,47 +513,63 @@ TEST(PageCheck, N76_Classes) {
   for (const auto& counts : kCounts) {
     const uint32_t page = pageWithStream(richFile(), kClassesBoth);
     expectRefusedAfter(richFile(), page, 76, [&](PageEditor& e) {
-      e.values(kClassesBoth)[0] = kClassListed;
-      e.values(kMemberPicks).insert(e.values(kMemberPicks).begin(), {counts[0], counts[1]});
+      std::vector<int32_t>& classes = e.values(kClassesBoth);
+      classes[0] = kClassListed;
+      classes.insert(classes.begin() + 1, {counts[0], counts[1]});
     });
   }
 }
 
 TEST(PageCheck, N76_ChildWithoutWedges) {
-  // Every wedge of the first split node goes to one child only: counts that no code has are listed.
-  const std::array<int32_t, 2> kCounts[] = {{1, 0}, {0, 1}};
-  for (const auto& counts : kCounts) {
+  // Every wedge of the first split node goes to one child only.
+  for (const ClassCounts counts : {ClassCounts{1, 0}, {0, 1}}) {
     expectRefusedAfter(torusFile(), 1, 76, [&](PageEditor& e) {
-      std::vector<int32_t>& picks = e.values(kMemberPicks);
-      picks.clear();
-      for (const uint32_t stream : {uint32_t{kClassesBoth}, uint32_t{kClassesOne}})
-        for (int32_t& wedge_class : e.values(stream)) {
-          wedge_class = kClassListed;
-          picks.insert(picks.end(), counts.begin(), counts.end());
-        }
+      for (const uint32_t stream : {uint32_t{kClassesBoth}, uint32_t{kClassesOne}, uint32_t{kClassesNone}})
+        for (int32_t& wedge_class : e.values(stream)) wedge_class = static_cast<int32_t>(classCode(counts, true, true));
     });
   }
 }
 
 TEST(PageCheck, N77_Picks) {
-  for (const uint32_t stream : {uint32_t{kClassPicks}, uint32_t{kThirdPicks}})
+  for (const uint32_t stream : {uint32_t{kClassPicks}, uint32_t{kClassChoices}, uint32_t{kMemberPicks},
+                                uint32_t{kMemberChoices}, uint32_t{kThirdPicks}, uint32_t{kThirdChoices}})
     expectRefusedWithFirst(stream, 0, kFar, 77);
-  const uint32_t page = pageWhere(richFile(), [](PageEditor& e) {
-    auto lists = [&](uint32_t stream) {
-      const std::vector<int32_t>& classes = e.values(stream);
-      return std::find(classes.begin(), classes.end(), kClassListed) != classes.end();
-    };
-    return !e.values(kMemberPicks).empty() && !lists(kClassesBoth) && !lists(kClassesOne);
-  });
+}
+
+TEST(PageCheck, N77_FirstPlaceBeyondTheList) {
+  // A class's first corner at a child goes to member 0 or 1.
+  const uint32_t page = pageWithStream(richFile(), kMemberChoices);
   ASSERT_GT(page, 0u);
-  expectRefusedAfter(richFile(), page, 77, [](PageEditor& e) { e.values(kMemberPicks)[0] = kFar; });
+  expectRefusedAfter(richFile(), page, 77, [](PageEditor& e) { e.values(kMemberChoices)[0] = 2; });
+}
+
+TEST(PageCheck, N77_ClassWithoutAWedgeAtItsCornersChild) {
+  // A class with corners at both children gets its wedges at one. Where its node's other child has none at all, or a
+  // further wedge's attributes are wrong, that is said first.
+  uint32_t refused = 0;
+  for (uint32_t page = 1; page < pageCount(LitheFile(richFile())); ++page) {
+    LitheFile sound(richFile());
+    const size_t count = PageEditor(sound, page).values(kClassesBoth).size();
+    for (size_t at = 0; at < count; ++at)
+      for (const ClassCounts counts : {ClassCounts{2, 0}, {0, 2}}) {
+        LitheFile file(richFile());
+        PageEditor editor(file, page);
+        int32_t& wedge_class = editor.values(kClassesBoth)[at];
+        if (wedge_class != static_cast<int32_t>(classCode({1, 1}, true, true))) continue;
+        wedge_class = static_cast<int32_t>(classCode(counts, true, true));
+        editor.apply();
+        refused += outcomeOf(file.bytes()).diagnosis.check == 77;
+      }
+  }
+  EXPECT_GT(refused, 0u);
 }
 
 // driveAsset demands that every face has one part: no pick may get past the check that it keeps its part.
 TEST(PageCheck, N77_NoPickMixesParts) {
   uint32_t refused = 0;
   const uint32_t pages = pageCount(LitheFile(richFile()));
-  for (const uint32_t stream : {uint32_t{kClassPicks}, uint32_t{kThirdPicks}})
+  for (const uint32_t stream :
+       {uint32_t{kClassPicks}, uint32_t{kClassChoices}, uint32_t{kThirdPicks}, uint32_t{kThirdChoices}})
     for (uint32_t page = 1; page < pages; ++page) {
       LitheFile sound(richFile());
       const size_t count = PageEditor(sound, page).values(stream).size();

@@ -171,9 +171,13 @@ const char* streamKind(format::PageKind page, uint32_t stream) {
       return "skin";
     case format::kClassesBoth:
     case format::kClassesOne:
+    case format::kClassesNone:
     case format::kClassPicks:
+    case format::kClassChoices:
     case format::kMemberPicks:
+    case format::kMemberChoices:
     case format::kThirdPicks:
+    case format::kThirdChoices:
       return "wedges";
     case format::kExtraMasks:
     case format::kExtras:

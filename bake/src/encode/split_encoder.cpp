@@ -74,8 +74,11 @@ void SplitEncoder::split(uint32_t node) {
   writeConnectivity(plan, fan, ring);
   writePosition(hierarchy_node, plan, fan);
   const format::RingNeighbours all_neighbours = neighboursOf(node, kNone, plan, fan, ring);
-  writeWedges(node, plan, fan, ring);
-  addFaces(node, plan, fan, ring);
+  PickEncoder picks(cut_, node, plan, fan, ring, page_);
+  writeWedges(node, picks.classes(), plan, fan, ring);
+  addChildren(picks.classes(), plan);
+  picks.run();
+  work_ += picks.work();
   auto skin_of = [&](uint32_t wedge) -> const QuantizedSkin& {
     return cut_.h.skin[cut_.node_hierarchy[cut_.wedge_node[wedge]]];
   };
@@ -156,8 +159,7 @@ bool SplitEncoder::tryRing(Plan& plan, const format::Fan& fan, const format::Rin
 void SplitEncoder::writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
   auto& splits = page_.streams[format::kSplits].attributes;
   splits[format::kSplitMode].values.push_back(plan.mode);
-  const bool listed = ring.kind == format::RingKind::kIrregular || plan.mode == format::kModeGeneral;
-  if (!listed) {
+  if (!plan.isListed(ring)) {
     const uint32_t first = plan.faces[0].ring_at;
     const uint32_t value = plan.faces.size() == 2 ? format::pairIndex(first, plan.faces[1].ring_at) : first;
     const bool closed = ring.kind == format::RingKind::kClosed;
@@ -257,43 +259,32 @@ void SplitEncoder::writePlacement(uint32_t hierarchy_node, const Plan& plan, con
       static_cast<int32_t>(k[across.axis] + across.lift(lattice.difference[0], lattice.difference[1])));
 }
 
-std::vector<uint32_t> SplitEncoder::membersOf(uint32_t hierarchy_wedge, uint32_t child) const {
-  std::vector<uint32_t> members;
-  for (uint32_t w = cut_.h.first_wedge[child]; w < cut_.h.first_wedge[child + 1]; ++w)
-    if (cut_.h.wedge_parent[w] == hierarchy_wedge) members.push_back(w);
-  return members;
-}
-
-void SplitEncoder::writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan,
-                              const format::Fan& fan) {
+void SplitEncoder::writeClass(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan, const format::Fan& fan) {
+  const uint32_t count_a = wedge_class.members[0].count, count_b = wedge_class.members[1].count;
   bool at[2] = {false, false};
   for (uint32_t i = 0; i < fan.count; ++i)
     if (cornerWedge(fan.corner[i]) == wedge) at[plan.at_b[i] ? 1 : 0] = true;
-  int32_t code = 0;
-  for (; code < format::kClassListed; ++code) {
-    const format::ClassCounts counts = format::classCounts(code, at[0], at[1]);
-    if (counts.a == count_a && counts.b == count_b) break;
-  }
-  page_.streams[at[0] == at[1] ? format::kClassesBoth : format::kClassesOne].put(code);
+  const uint32_t code = format::classCode({count_a, count_b}, at[0], at[1]);
+  StreamData& stream = page_.streams[format::classStream(at[0], at[1])];
+  stream.put(static_cast<int32_t>(code));
   if (code < format::kClassListed) return;
-  for (size_t count : {count_a, count_b}) page_.streams[format::kMemberPicks].put(static_cast<int32_t>(count));
+  for (uint32_t count : {count_a, count_b}) stream.put(static_cast<int32_t>(count));
+}
+
+void SplitEncoder::writeWedges(uint32_t node, const std::vector<WedgeClass>& classes, const Plan& plan,
+                               const format::Fan& fan, const format::Ring& ring) {
+  const uint32_t first = cut_.node_first_wedge[node];
+  for (uint32_t i = 0; i < classes.size(); ++i) writeClass(first + i, classes[i], plan, fan);
+  for (uint32_t i = 0; i < classes.size(); ++i) writeAttributes(first + i, classes[i], plan, fan, ring);
 }
 
 // The children's wedges are numbered class by class, child A's before child B's.
-void SplitEncoder::writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
-  std::vector<std::vector<uint32_t>> of_a, of_b;
-  std::vector<uint32_t> wedges_a, wedges_b;
-  const uint32_t first = cut_.node_first_wedge[node], end = cut_.node_first_wedge[node + 1];
-  for (uint32_t w = first; w < end; ++w) {
-    of_a.push_back(membersOf(cut_.wedge_hierarchy[w], plan.a));
-    of_b.push_back(membersOf(cut_.wedge_hierarchy[w], plan.b));
-    wedges_a.insert(wedges_a.end(), of_a.back().begin(), of_a.back().end());
-    wedges_b.insert(wedges_b.end(), of_b.back().begin(), of_b.back().end());
-    writeClass(w, of_a.back().size(), of_b.back().size(), plan, fan);
+void SplitEncoder::addChildren(const std::vector<WedgeClass>& classes, const Plan& plan) {
+  for (const bool of_b : {false, true}) {
+    std::vector<uint32_t> wedges;
+    for (const WedgeClass& c : classes) wedges.insert(wedges.end(), c.wedges[of_b].begin(), c.wedges[of_b].end());
+    cut_.addNode(plan.child(of_b), wedges);
   }
-  for (uint32_t w = first; w < end; ++w) writeAttributes(w, of_a[w - first], of_b[w - first], plan, fan, ring);
-  cut_.addNode(plan.a, wedges_a);
-  cut_.addNode(plan.b, wedges_b);
 }
 
 // In the chart around the parent's direction.
@@ -352,12 +343,12 @@ format::Int2 SplitEncoder::normalDifference(uint32_t wedge, const Plan& plan, co
   return format::normalDifference(normals.normal[0], normals.normal[1], chart);
 }
 
-void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
-                                   const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
+void SplitEncoder::writeAttributes(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan,
+                                   const format::Fan& fan, const format::Ring& ring) {
   const WedgeRecord& record = cut_.h.record;
   const uint32_t parent = cut_.wedge_hierarchy[wedge];
-  if (!of_a.empty() && !of_b.empty()) {
-    const uint32_t a = of_a[0], b = of_b[0];
+  if (wedge_class.atBoth()) {
+    const uint32_t a = wedge_class.wedges[0][0], b = wedge_class.wedges[1][0];
     const uint32_t node = cut_.wedge_node[wedge];
     const bool predicted = isPredicted(node, fan);
     const format::RingNeighbours neighbours =
@@ -388,8 +379,8 @@ void SplitEncoder::writeAttributes(uint32_t wedge, const std::vector<uint32_t>& 
       for (uint32_t c = 0; c < 4; ++c)
         page_.streams[format::kColors].put(attributes(a)[record.color[s] + c] - attributes(b)[record.color[s] + c]);
   }
-  for (const auto* side : {&of_a, &of_b})
-    for (size_t m = 1; m < side->size(); ++m) writeExtra((*side)[0], (*side)[m]);
+  for (const std::vector<uint32_t>& side : wedge_class.wedges)
+    for (size_t m = 1; m < side.size(); ++m) writeExtra(side[0], side[m]);
 }
 
 // Across a seam often only one attribute differs: a mask says which do.
@@ -406,65 +397,6 @@ void SplitEncoder::writeExtra(uint32_t first, uint32_t extra) {
     residual.difference[0] = attributes(extra)[i] - attributes(first)[i];
     residual.extent = field.low;
     residuals_.add(residual);
-  }
-}
-
-void SplitEncoder::pickMember(uint32_t hierarchy_wedge, uint32_t child, uint32_t leaf_wedge) {
-  const std::vector<uint32_t> members = membersOf(hierarchy_wedge, child);
-  if (members.size() < 2) return;
-  uint32_t wedge = leaf_wedge;
-  while (cut_.h.wedge_node[wedge] != child) wedge = cut_.h.wedge_parent[wedge];
-  const auto at = std::find(members.begin(), members.end(), wedge);
-  pick(format::kMemberPicks, static_cast<uint32_t>(at - members.begin()), static_cast<uint32_t>(members.size()));
-}
-
-// The fan's corners go to the children's wedges.
-void SplitEncoder::moveFan(const Plan& plan, const format::Fan& fan) {
-  for (uint32_t i = 0; i < fan.count; ++i) {
-    const uint32_t corner = fan.corner[i], child = plan.at_b[i] ? plan.b : plan.a;
-    const uint32_t parent_wedge = cut_.wedge_hierarchy[cut_.face_wedges[corner / 3][corner % 3]];
-    pickMember(parent_wedge, child, cut_.leafWedge(corner));
-    cut_.moveCorner(corner, cut_.wedgeAt(cut_.file_node[child], cut_.leafWedge(corner)));
-  }
-}
-
-// The new faces, each with its wedges: the class at the split node (guessed from the face beside the cut), the members
-// of the class, and the wedge at the third node (guessed likewise).
-void SplitEncoder::addFaces(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
-  const Hierarchy& h = cut_.h;
-  const uint32_t first_wedge = cut_.node_first_wedge[node];
-  const uint32_t wedge_count = cut_.node_first_wedge[node + 1] - first_wedge;
-  std::vector<uint32_t> fan_class(fan.count);
-  for (uint32_t i = 0; i < fan.count; ++i)
-    fan_class[i] = cut_.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3] - first_wedge;
-  cut_.clearCorners(node);
-  const std::vector<uint32_t> corners(fan.corner, fan.corner + fan.count);
-  moveFan(plan, fan);
-
-  for (const NewFace& face : plan.faces) {
-    uint32_t guessed_class = kNone, guessed_third = kNone;
-    if (face.ring_at != kNone) {
-      const bool past_end = face.ring_at == ring.count;  // the open end of an open ring: the face before the cut
-      const uint32_t beside = ring.edge[past_end ? ring.count - 1 : face.ring_at];
-      guessed_class = fan_class[beside];
-      guessed_third = cut_.face_wedges[corners[beside] / 3][(corners[beside] % 3 + (past_end ? 2 : 1)) % 3];
-    }
-    const auto& leaf = h.face_wedges[face.triangle];
-    const uint32_t leaf_first = leaf[face.rotation], leaf_third = leaf[(face.rotation + 1) % 3],
-                   leaf_last = leaf[(face.rotation + 2) % 3];
-    const uint32_t child_first = face.first_is_a ? plan.a : plan.b, child_last = face.first_is_a ? plan.b : plan.a;
-    const uint32_t wedge_first = cut_.wedgeAt(cut_.file_node[child_first], leaf_first);
-    const uint32_t wedge_last = cut_.wedgeAt(cut_.file_node[child_last], leaf_last);
-    const uint32_t parent_wedge = h.wedge_parent[cut_.wedge_hierarchy[wedge_first]];
-    const uint32_t face_class = cut_.file_wedge[parent_wedge] - first_wedge;
-    pick(format::kClassPicks, face_class == guessed_class ? 0 : face_class + 1, wedge_count);
-    pickMember(parent_wedge, child_first, leaf_first);
-    pickMember(parent_wedge, child_last, leaf_last);
-    const uint32_t wedge_third = cut_.wedgeAt(face.third, leaf_third);
-    const uint32_t third_first = cut_.node_first_wedge[face.third];
-    pick(format::kThirdPicks, wedge_third == guessed_third ? 0 : wedge_third - third_first + 1,
-         cut_.node_first_wedge[face.third + 1] - third_first);
-    cut_.addFace(face.triangle, face.rotation, {wedge_first, wedge_third, wedge_last});
   }
 }
 

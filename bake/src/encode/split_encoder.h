@@ -4,12 +4,13 @@
 #pragma once
 
 #include "cut.h"
-#include "lithe/bake/octahedral_difference.h"
 #include "lithe/format/octahedral_chart.h"
 #include "lithe/format/placement_prediction.h"
 #include "page_streams.h"
+#include "pick_encoder.h"
 #include "residuals.h"
 #include "skin_code.h"
+#include "split_plan.h"
 
 namespace lithe::bake {
 
@@ -35,23 +36,8 @@ class SplitEncoder {
   uint64_t work() const { return work_; }
 
  private:
-  struct NewFace {
-    uint32_t triangle;
-    uint32_t rotation;  ///< so that corner 0 is at the child before the cut vertex, 1 at the cut vertex, 2 at the child
-                        ///< after
-    uint32_t third;     ///< file node of corner 1
-    bool first_is_a;    ///< corner 0 is at child A
-    uint32_t ring_at;   ///< position of the cut vertex in the ring, kNone in general mode
-  };
-  struct Plan {
-    uint32_t a, b;  ///< hierarchy nodes of the children
-    int32_t t8;     ///< from b (0) to a (8)
-    int32_t mode;
-    std::vector<char> at_b;      ///< per fan corner
-    std::vector<NewFace> faces;  ///< in the order of the file
-
-    DirectionRule directionRule(int32_t normal_center) const { return {normal_center, t8, !faces.empty()}; }
-  };
+  using Plan = SplitPlan;
+  using NewFace = SplitPlan::NewFace;
 
   Plan planSplit(uint32_t hierarchy_node, const format::Fan& fan, const format::Ring& ring) const;
   Plan assignChildren(uint32_t hierarchy_node, uint32_t which_is_a, const format::Fan& fan) const;
@@ -61,10 +47,12 @@ class SplitEncoder {
   void writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
   format::PredictedPlacement predictPlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) const;
   void writePlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
-  void writeWedges(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
-  void writeClass(uint32_t wedge, size_t count_a, size_t count_b, const Plan& plan, const format::Fan& fan);
-  void writeAttributes(uint32_t wedge, const std::vector<uint32_t>& of_a, const std::vector<uint32_t>& of_b,
-                       const Plan& plan, const format::Fan& fan, const format::Ring& ring);
+  void writeWedges(uint32_t node, const std::vector<WedgeClass>& classes, const Plan& plan, const format::Fan& fan,
+                   const format::Ring& ring);
+  void writeClass(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan, const format::Fan& fan);
+  void addChildren(const std::vector<WedgeClass>& classes, const Plan& plan);
+  void writeAttributes(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan, const format::Fan& fan,
+                       const format::Ring& ring);
   Residual uvResidual(uint32_t set, uint32_t parent, uint32_t a, uint32_t b,
                       const format::RingNeighbours& neighbours) const;
   Residual directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
@@ -86,17 +74,10 @@ class SplitEncoder {
     const glm::ivec3& p = cut_.h.position[hierarchy_node];
     return {p.x, p.y, p.z};
   }
-  void moveFan(const Plan& plan, const format::Fan& fan);
-  void addFaces(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
-  void pick(format::SplitStream stream, uint32_t index, uint32_t count) {
-    if (count > 1) page_.streams[stream].put(static_cast<int32_t>(index));
-  }
   void writeExtra(uint32_t first, uint32_t extra);
   const int32_t* attributes(uint32_t hierarchy_wedge) const {
     return cut_.h.wedge_attributes.data() + size_t{hierarchy_wedge} * cut_.h.record.stride;
   }
-  std::vector<uint32_t> membersOf(uint32_t hierarchy_wedge, uint32_t child) const;
-  void pickMember(uint32_t hierarchy_wedge, uint32_t child, uint32_t leaf_wedge);
 
   Cut& cut_;
   const SplitSettings& settings_;

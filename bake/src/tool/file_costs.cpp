@@ -87,10 +87,14 @@ KindIndex kindOfStream(size_t stream) {
       return kLists;
     case format::kClassesBoth:
     case format::kClassesOne:
+    case format::kClassesNone:
       return kClasses;
     case format::kClassPicks:
+    case format::kClassChoices:
     case format::kMemberPicks:
+    case format::kMemberChoices:
     case format::kThirdPicks:
+    case format::kThirdChoices:
       return kPicks;
     case format::kNormals:
       return kNormals;

@@ -3,14 +3,13 @@
 """What the wedges of a split node become, and the children's attributes (docs/format.md, section 4.4)."""
 from integers import between, cross, largest, low_bits, minus, plus, predicted
 from octahedron import Chart, fold
-from page_streams import (CLASSES_BOTH, CLASSES_ONE, COLORS, EXTRA_MASKS, EXTRAS, MEMBER_PICKS, NORMALS, TANGENTS, UV_0)
+from page_streams import (CLASSES_BOTH, CLASSES_NONE, CLASSES_ONE, COLORS, EXTRA_MASKS, EXTRAS, NORMALS, TANGENTS, UV_0)
 from refused import demand
 from slope import RingSlope
 
 A, B = 0, 1
-STATED = 4
-BOTH_COUNTS = (1, 1), (2, 1), (1, 2), (2, 2)
-NEAR_COUNTS = (1, 0), (1, 1), (2, 1), (1, 2)
+STATED = 90
+CLASS_STREAMS = CLASSES_NONE, CLASSES_ONE, CLASSES_BOTH
 EXTRA_LOW_BITS = 5
 MASK_UV, MASK_COLOR, MASK_END = 2, 10, 12
 
@@ -26,15 +25,22 @@ class WedgeClass:
         self.members = [], []
 
     def read_counts(self, page, sides):
-        near = len(sides) == 1
-        value = page.streams[CLASSES_ONE if near else CLASSES_BOTH].value()
+        stream = page.streams[CLASS_STREAMS[len(sides)]]
+        value = stream.value()
         demand(value <= STATED, 76, "a wedge class is unknown")
         if value == STATED:
-            picks = page.streams[MEMBER_PICKS]
-            return picks.value(), picks.value()
-        if not near:
-            return BOTH_COUNTS[value]
-        return NEAR_COUNTS[value] if A in sides else NEAR_COUNTS[value][::-1]
+            return stream.value(), stream.value()
+        counts = numbered_pair(value)
+        return counts[::-1] if sides == {B} else counts
+
+
+def numbered_pair(value):
+    """The pair of this number: by sum from 1 on, then by the second."""
+    total = 1
+    while value > total:
+        value -= total + 1
+        total += 1
+    return total - value, value
 
 
 def split_wedges(split):

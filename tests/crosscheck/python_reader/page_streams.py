@@ -10,8 +10,8 @@ PARAMETER_BYTES = 27
 MAX_SETS = 8
 NODES, INFLUENCES, WEDGES, FACES = range(4)
 (FLAGS_OLD, FLAGS_NEW, SPLIT, CUT_3, CUT_4, CUT_5, CUT_6, CUT_7, CUT_8, CUT_9, CUT_OPEN, GENERAL, CLASSES_BOTH,
- CLASSES_ONE, CLASS_PICKS, MEMBER_PICKS, THIRD_PICKS, NORMALS, TANGENTS, COLORS, SKIN_D, SKIN_E, SKIN_NEW, EXTRA_MASKS,
- EXTRAS, UV_0) = range(26)
+ CLASSES_ONE, CLASSES_NONE, CLASS_PICKS, CLASS_CHOICES, MEMBER_PICKS, MEMBER_CHOICES, THIRD_PICKS, THIRD_CHOICES,
+ NORMALS, TANGENTS, COLORS, SKIN_D, SKIN_E, SKIN_NEW, EXTRA_MASKS, EXTRAS, UV_0) = range(30)
 MAX_LISTED_JOINTS = 24
 MAX_LEVELS = 64
 MAX_RECORDS = 1 << 24
@@ -85,7 +85,7 @@ def split_limits(info, page, before, levels):
     new_wedges = page.wedge_count - before.wedge_count
     picks = 32 * (splits + page.face_count)
     limits = [page.node_count * max(1, levels)] * 2 + [splits] * 9
-    limits += [picks, page.wedge_count, page.wedge_count, picks, picks, picks]
+    limits += [picks] + [2 * page.wedge_count] * 3 + [picks] * 6
     limits += [new_wedges * info.has_normals, new_wedges * info.has_tangents, new_wedges * info.color_sets]
     limits += [MAX_LISTED_JOINTS * splits] * 3 + [new_wedges, new_wedges * record_length(info)]
     return limits + [new_wedges * (uv_set < info.uv_sets) for uv_set in range(MAX_SETS)]
@@ -97,7 +97,9 @@ def most_values(info, page, before):
         attributes, limits = base_attributes(info), base_limits(info, page)
     else:
         attributes, limits = split_attributes(), split_limits(info, page, before, MAX_LEVELS)
-        limits[CLASSES_ONE] = 0  # a wedge has its class in one stream only
+        # A wedge has its class in one stream only, and a corner its pick in one of two.
+        for stream in (CLASSES_ONE, CLASSES_NONE, CLASS_CHOICES, MEMBER_CHOICES, THIRD_CHOICES):
+            limits[stream] = 0
     return sum(limit * components_of(columns) for limit, columns in zip(limits, attributes))
 
 

@@ -38,14 +38,6 @@ class Fan:
         """The different next and previous nodes, ascending."""
         return sorted({node for spoke in self.spokes for node in (spoke.next, spoke.previous)})
 
-    def guess_at(self, vertex):
-        """The spoke and the wedge at a cut vertex, from the edge that starts there (section 4.5)."""
-        if vertex < len(self.order):
-            spoke = self.spokes[self.order[vertex]]
-            return spoke, spoke.next_wedge
-        spoke = self.spokes[self.order[-1]]
-        return spoke, spoke.previous_wedge
-
 
 def find_ring(spokes):
     """The kind of the ring and its edges in order, as indices of spokes."""

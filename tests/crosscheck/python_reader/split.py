@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
-"""One split: sides of its fan, positions of its children, new faces (docs/format.md, sections 4.1 to 4.3 and 4.5)."""
+"""One split: sides of its fan, positions of its children, new faces (docs/format.md, sections 4.1 to 4.3)."""
 from attribute_split import split_wedges
 from integers import between, cross, from_plane, largest, low_bits, main_axis, minus, plus, predicted
-from page_streams import CLASS_PICKS, CUT_3, CUT_9, CUT_OPEN, GENERAL, MEMBER_PICKS, SPLIT, THIRD_PICKS
+from page_streams import CUT_3, CUT_9, CUT_OPEN, GENERAL, SPLIT
+from picks import Picks
 from placement import Placement, eighth_of_rank
 from refused import demand
 from ring import CLOSED, IRREGULAR, MAX_RING, OPEN, Fan
@@ -16,10 +17,10 @@ MAX_PREDICTED_WEDGES = 8
 
 
 class NewFace:
-    """A face (first child, c, other child). A ring's face knows its cut vertex, a list's face does not."""
+    """A face (first child, c, other child)."""
 
-    def __init__(self, first, c, vertex=None):
-        self.first, self.c, self.vertex = first, c, vertex
+    def __init__(self, first, c):
+        self.first, self.c = first, c
 
 
 class Split:
@@ -61,11 +62,12 @@ class Split:
         self.classes = split_wedges(self)
         room = self.entry.face_count - len(hierarchy.faces)
         demand(len(self.new_faces) <= room, 82, "there are more faces than the page's")
-        self.move_corners()
+        self.picks = Picks(self)
+        self.picks.move_fan(range(len(self.sides)) if self.is_listed else self.fan.order)
         for face in self.new_faces:
-            self.add_face(face)
+            self.picks.add_face(face)
         for face in self.listed_faces():
-            self.add_face(face)
+            self.picks.add_face(face)
         for child, skin in zip(self.children, split_skin(self.page, self, skin_mode)):
             hierarchy.nodes[child].skin = skin
 
@@ -77,7 +79,8 @@ class Split:
         fits = mode == 0 if kind == IRREGULAR else mode in (0, LISTED) or kind == OPEN
         demand(fits, 72, "the mode does not fit the ring")
         self.new_faces, self.listed_count = [], 0
-        if kind == IRREGULAR or mode == LISTED:
+        self.is_listed = kind == IRREGULAR or mode == LISTED
+        if self.is_listed:
             self.read_list()
         elif kind == OPEN and mode == 0:
             self.cut_at(self.page.streams[CUT_OPEN].value())
@@ -95,7 +98,7 @@ class Split:
         return number - q * (q - 1) // 2, q
 
     def ring_face(self, first, vertex):
-        self.new_faces.append(NewFace(first, self.fan.vertices()[vertex], vertex))
+        self.new_faces.append(NewFace(first, self.fan.vertices()[vertex]))
 
     def set_sides(self, is_at_a):
         self.sides = [B] * len(self.fan.spokes)
@@ -203,44 +206,3 @@ class Split:
         k = from_plane(self.d, in_plane, lattice[2])
         b = tuple(w - factor * step - between(d, self.t8) for w, factor, d in zip(self.node.position, k, self.d))
         self.points = plus(b, self.d), b
-
-    # Section 4.5
-
-    def pick_member(self, wedges):
-        """One of a class's wedges at a child."""
-        demand(len(wedges) > 0, 77, "a class has no wedge where a corner needs one")
-        pick = self.page.streams[MEMBER_PICKS].value() if len(wedges) > 1 else 0
-        demand(pick < len(wedges), 77, "a pick is out of range")
-        return wedges[pick]
-
-    def move_corners(self):
-        hierarchy = self.hierarchy
-        for spoke, side in zip(self.fan.spokes, self.sides):
-            members = self.classes[spoke.wedge - self.node.wedges.start].members[side]
-            hierarchy.faces[spoke.corner // 3][spoke.corner % 3] = self.pick_member(members)
-            hierarchy.nodes[self.children[side]].corners.append(spoke.corner)
-        self.node.corners = []
-
-    def pick_or_guess(self, stream, guess, count):
-        """A value of a stream: 0 is the guess, i + 1 is i."""
-        value = self.page.streams[stream].value()
-        demand(value <= count and (value > 0 or guess is not None), 77, "a pick is out of range")
-        return value - 1 if value else guess
-
-    def add_face(self, face):
-        hierarchy = self.hierarchy
-        exists = face.c < len(hierarchy.nodes) and hierarchy.nodes[face.c].children is None
-        demand(exists and face.c not in self.children, 78, "a new face's third node is not in the cut")
-        third = hierarchy.nodes[face.c].wedges
-        class_guess = third_guess = None
-        if face.vertex is not None:
-            spoke, wedge = self.fan.guess_at(face.vertex)
-            class_guess, third_guess = spoke.wedge - self.node.wedges.start, wedge - third.start
-        index = self.pick_or_guess(CLASS_PICKS, class_guess, len(self.classes)) if len(self.classes) > 1 else 0
-        members = self.classes[index].members
-        first = self.pick_member(members[face.first])
-        last = self.pick_member(members[1 - face.first])
-        pick = self.pick_or_guess(THIRD_PICKS, third_guess, len(third)) if len(third) > 1 else 0
-        wedges = [first, third[pick], last]
-        demand(len({hierarchy.wedges[wedge].part for wedge in wedges}) == 1, 77, "a face would mix parts")
-        hierarchy.add_face(wedges)

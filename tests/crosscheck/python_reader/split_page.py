@@ -49,6 +49,8 @@ class SplitPages:
         self.visited_corners += len(split.fan.spokes)
         demand(self.visited_corners <= MAX_VISITED_CORNERS, 81, "a page visits too many corners")
         split.carry_out()
+        self.visited_corners += split.picks.visited
+        demand(self.visited_corners <= MAX_VISITED_CORNERS, 81, "a page visits too many corners")
 
     def demand_counts(self, level):
         counts = level.node_count, level.wedge_count, level.face_count

@@ -100,19 +100,43 @@ TEST(PageSpecification, ParametersAreCountedAndNamedInOrder) {
 
 TEST(PageSpecification, WedgeClasses) {
   const std::vector<SpecRow> rows = spec().table("4.4 Wedges and attributes");
-  ASSERT_EQ(rows.size(), 2u);
-  for (int32_t code = 0; code < kClassListed; ++code) {
+  ASSERT_EQ(rows.size(), 1u);
+  const SpecRow& pairs = rows[0];
+  const std::vector<uint64_t> values = {0, 1, 2, 3, 4, 5, kClassListed - 1};
+  for (size_t i = 0; i < values.size(); ++i) {
+    const uint32_t code = static_cast<uint32_t>(values[i]);
     auto counts = [&](bool at_a, bool at_b) {
       const ClassCounts found = classCounts(code, at_a, at_b);
       return std::vector<uint64_t>{found.a, found.b};
     };
-    const std::vector<uint64_t> both = numbersIn(rows[0][static_cast<size_t>(code) + 1]);
-    const std::vector<uint64_t> near_far = numbersIn(rows[1][static_cast<size_t>(code) + 1]);
-    EXPECT_EQ(both, counts(true, true)) << code;
-    EXPECT_EQ(both, counts(false, false)) << code;
-    EXPECT_EQ(near_far, counts(true, false)) << code;
-    EXPECT_EQ((std::vector<uint64_t>{near_far[1], near_far[0]}), counts(false, true)) << code;
+    // The first cell names the row, "..." has a cell of its own.
+    const std::vector<uint64_t> pair = numbersIn(pairs[i < 6 ? i + 1 : 8]);
+    EXPECT_EQ(pair, counts(true, true)) << code;
+    EXPECT_EQ(pair, counts(false, false)) << code;
+    EXPECT_EQ(pair, counts(true, false)) << code;
+    EXPECT_EQ((std::vector<uint64_t>{pair[1], pair[0]}), counts(false, true)) << code;
   }
+}
+
+TEST(PageArithmetic, WedgeClassesHaveEachTheirCode) {
+  std::set<uint32_t> codes;
+  for (const auto& [at_a, at_b] : {std::pair(true, true), {true, false}, {false, true}, {false, false}})
+    for (uint32_t a = 0; a <= kMostCodedWedges + 1; ++a)
+      for (uint32_t b = a == 0 ? 1 : 0; b <= kMostCodedWedges + 1; ++b) {
+        const uint32_t code = classCode({a, b}, at_a, at_b);
+        ASSERT_EQ(code == kClassListed, a + b > kMostCodedWedges);
+        if (code == kClassListed) continue;
+        const ClassCounts found = classCounts(code, at_a, at_b);
+        ASSERT_EQ(found.a, a);
+        ASSERT_EQ(found.b, b);
+        codes.insert(code);
+      }
+  EXPECT_EQ(codes.size(), kClassListed);
+  EXPECT_EQ(classCode({1u << 31, 1u << 31}, true, false), kClassListed);
+  EXPECT_EQ(classStream(true, true), uint32_t{kClassesBoth});
+  EXPECT_EQ(classStream(true, false), uint32_t{kClassesOne});
+  EXPECT_EQ(classStream(false, true), uint32_t{kClassesOne});
+  EXPECT_EQ(classStream(false, false), uint32_t{kClassesNone});
 }
 
 TEST(PageStreams, AnAssetWithoutAnAttributeHasNoStreamForIt) {

@@ -40,22 +40,26 @@ enum SplitStream : uint32_t {
   kCut7,
   kCut8,
   kCut9,
-  kCutOpen,      ///< cut vertices of open rings
-  kGeneral,      ///< the corners of child B and the new faces of irregular splits
-  kClassesBoth,  ///< per wedge of a split node with corners at both children: how many wedges each child gets
-  kClassesOne,   ///< the same for a wedge with corners at one child
-  kClassPicks,   ///< per new face: which wedge of the split node, where it has several
-  kMemberPicks,  ///< which wedge of a class at a child, where it has several
-  kThirdPicks,   ///< per new face: which wedge of its third node, where it has several
-  kNormals,      ///< per united wedge: high parts x y
-  kTangents,     ///< per united wedge: high parts x y | sign flip
-  kColors,       ///< per united wedge and set: r g b a
-  kSkinD,        ///< differences of the children's weights
-  kSkinE,        ///< difference of child B's weights to the parent's, where the skin is free
-  kSkinNew,      ///< counts of joints the parent lacks, and their ids
-  kExtraMasks,   ///< per further wedge of a class: which attributes differ from the first one's
-  kExtras,       ///< the differences, high parts
-  kUv0,          ///< per united wedge: high parts x y; one stream per uv set
+  kCutOpen,        ///< cut vertices of open rings
+  kGeneral,        ///< the corners of child B and the new faces of irregular splits
+  kClassesBoth,    ///< per wedge of a split node with corners at both children: how many wedges each child gets
+  kClassesOne,     ///< the same for a wedge with corners at one child
+  kClassesNone,    ///< the same for a wedge without corners
+  kClassPicks,     ///< per new face: its class, where the split node has several and what lies beside suggests one
+  kClassChoices,   ///< the same where it suggests none, or two
+  kMemberPicks,    ///< a corner's wedge of a class at a child, where there are several and one is suggested
+  kMemberChoices,  ///< the same where none is
+  kThirdPicks,     ///< per new face: its wedge at the third node, where that has several and one is suggested
+  kThirdChoices,   ///< the same where none is, or several are
+  kNormals,        ///< per united wedge: high parts x y
+  kTangents,       ///< per united wedge: high parts x y | sign flip
+  kColors,         ///< per united wedge and set: r g b a
+  kSkinD,          ///< differences of the children's weights
+  kSkinE,          ///< difference of child B's weights to the parent's, where the skin is free
+  kSkinNew,        ///< counts of joints the parent lacks, and their ids
+  kExtraMasks,     ///< per further wedge of a class: which attributes differ from the first one's
+  kExtras,         ///< the differences, high parts
+  kUv0,            ///< per united wedge: high parts x y; one stream per uv set
   kSplitStreamCount = kUv0 + 8
 };
 
@@ -180,22 +184,6 @@ constexpr int32_t lowBits(uint32_t extent, uint32_t bias) {
   return bits < 0 ? 0 : bits > static_cast<int32_t>(kLowBitsMax) ? static_cast<int32_t>(kLowBitsMax) : bits;
 }
 
-/// How many wedges a split node's wedge becomes at either child, by the code in kClassesBoth, or, for a wedge that has
-/// corners at one child only, the near one, by the code in kClassesOne. Code kClassListed is followed by the two counts
-/// in kMemberPicks.
-struct ClassCounts {
-  uint8_t a, b;
-};
-inline constexpr int32_t kClassListed = 4;
-inline constexpr ClassCounts kCountsBoth[kClassListed] = {{1, 1}, {2, 1}, {1, 2}, {2, 2}};
-inline constexpr ClassCounts kCountsNearFar[kClassListed] = {{1, 0}, {1, 1}, {2, 1}, {1, 2}};
-
-constexpr ClassCounts classCounts(int32_t code, bool at_a, bool at_b) {
-  if (at_a == at_b) return kCountsBoth[code];
-  const ClassCounts counts = kCountsNearFar[code];
-  return at_a ? counts : ClassCounts{counts.b, counts.a};
-}
-
 /// Unordered pairs 0 <= p < q < n, numbered by q, then p.
 constexpr uint32_t pairIndex(uint32_t p, uint32_t q) { return q * (q - 1) / 2 + p; }
 constexpr void pairOf(uint32_t index, uint32_t* p, uint32_t* q) {
@@ -203,6 +191,37 @@ constexpr void pairOf(uint32_t index, uint32_t* p, uint32_t* q) {
   while (high * (high + 1) / 2 <= index) ++high;
   *q = high;
   *p = index - high * (high - 1) / 2;
+}
+
+/// How many wedges a split node's wedge becomes at either child.
+struct ClassCounts {
+  uint32_t a, b;
+};
+
+/// Up to kMostCodedWedges of them are one code: pairs are numbered by their sum, then by the second, which is the far
+/// child's for a wedge that has corners at one child only, else child B's. Code kClassListed is followed by both.
+inline constexpr uint32_t kMostCodedWedges = 12;
+inline constexpr uint32_t kClassListed = pairIndex(0, kMostCodedWedges + 2) - 1;
+
+constexpr bool classIsTurned(bool at_a, bool at_b) { return at_b && !at_a; }
+constexpr ClassCounts turnedIf(bool turned, ClassCounts c) { return turned ? ClassCounts{c.b, c.a} : c; }
+
+constexpr uint32_t classCode(ClassCounts counts, bool at_a, bool at_b) {
+  const uint64_t sum = uint64_t{counts.a} + counts.b;
+  const ClassCounts c = turnedIf(classIsTurned(at_a, at_b), counts);
+  return sum > kMostCodedWedges ? kClassListed : pairIndex(c.b, static_cast<uint32_t>(sum) + 1) - 1;
+}
+
+/// code < kClassListed
+constexpr ClassCounts classCounts(uint32_t code, bool at_a, bool at_b) {
+  uint32_t second = 0, after = 0;
+  pairOf(code + 1, &second, &after);
+  return turnedIf(classIsTurned(at_a, at_b), {after - 1 - second, second});
+}
+
+/// The stream of a class, by the children at which it has corners.
+constexpr uint32_t classStream(bool at_a, bool at_b) {
+  return at_a != at_b ? kClassesOne : at_a ? kClassesBoth : kClassesNone;
 }
 
 /// The stream of cut vertices for a closed ring of n edges.
