@@ -3,6 +3,8 @@
 #include "lithe/bake/hierarchy.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdlib>
 #include <string>
 
 #include "attributes.h"
@@ -85,7 +87,8 @@ class Replay {
     return survivors;
   }
 
-  // A class that lost its last face would be carried to the root for nothing: it joins one of its part that is in use.
+  // A class that lost its last face would be carried to the root for nothing: it joins one of its part that is in use,
+  // the one whose values are nearest.
   void adoptOrphans(const std::vector<uint32_t>& survivors, uint32_t a, uint32_t b) {
     std::vector<char> used(class_of_.size(), 0);
     for (uint32_t f : survivors)
@@ -93,15 +96,36 @@ class Replay {
         if (h_.wedge_node[wedge] == a || h_.wedge_node[wedge] == b) used[find(local(wedge))] = 1;
     for (uint32_t i = 0; i < class_of_.size(); ++i) {
       if (class_of_[i] != i || used[i]) continue;
-      uint32_t host = kNone;
-      for (uint32_t j = 0; j < class_of_.size() && host == kNone; ++j)
-        if (class_of_[j] == j && j != i && h_.wedge_part[global(j)] == h_.wedge_part[global(i)] && (used[j] || j < i))
-          host = j;
+      uint32_t host = kNone, least = 0;
+      for (uint32_t j = 0; j < class_of_.size(); ++j) {
+        if (class_of_[j] != j || j == i || h_.wedge_part[global(j)] != h_.wedge_part[global(i)]) continue;
+        if (!used[j] && j > i) continue;
+        const uint32_t bits = bitsApart(global(i), global(firstBeside(i, j)));
+        if (host == kNone || bits < least) host = j, least = bits;
+      }
       if (host == kNone) continue;
       const bool host_used = used[host];
       unite(i, host);
       used[find(i)] = host_used;
     }
+  }
+
+  // The first wedge of a class at the child that a wedge is at; of the class at all if it has none there.
+  uint32_t firstBeside(uint32_t i, uint32_t host) const {
+    const auto begin = i < count_[0] ? 0 : count_[0], end = begin + count_[i < count_[0] ? 0 : 1];
+    for (uint32_t j = begin; j < end; ++j)
+      if (find(j) == host) return j;
+    return host;
+  }
+
+  // About what it costs to tell a wedge's values from another's.
+  uint32_t bitsApart(uint32_t wedge, uint32_t other) const {
+    const int32_t* a = h_.wedge_attributes.data() + size_t{wedge} * h_.record.stride;
+    const int32_t* b = h_.wedge_attributes.data() + size_t{other} * h_.record.stride;
+    uint32_t bits = 0;
+    for (uint32_t v = 0; v < h_.record.stride; ++v)
+      bits += static_cast<uint32_t>(std::bit_width(static_cast<uint32_t>(std::abs(a[v] - b[v]))));
+    return bits;
   }
 
   void makeWedges(uint32_t node) {

@@ -179,6 +179,21 @@ TEST(HierarchyWedges, AClassThatLostItsLastFaceJoinsOneInUse) {
   EXPECT_EQ(valuesOf(h, parents[0]), (std::vector<int32_t>{4, 2}));
 }
 
+TEST(HierarchyWedges, OfSeveralInUseItJoinsTheNearest) {
+  SeamMesh seam(false);
+  // Vertex 1 has one more wedge in use, nearer to the right side's at vertex 0 than the left side's there is.
+  const uint32_t near = addWedge(seam.mesh, 1, {90, 0});
+  seam.mesh.triangles[3][1] = near;
+  CollapseList list(seam.mesh);
+  const uint32_t node = list.add(0, 1, 2);
+  const Hierarchy h = buildHierarchy(seam.mesh, list.sequence, kAnyPoint);
+  const Ids parents = wedgesOf(h, node), at_1 = wedgesOf(h, 1);
+  ASSERT_EQ(parents.size(), 2u);
+  ASSERT_EQ(at_1.size(), 3u);
+  EXPECT_EQ(h.wedge_parent[seam.left0], parents[0]);
+  for (uint32_t wedge : {seam.right0, at_1[1], at_1[2]}) EXPECT_EQ(h.wedge_parent[wedge], parents[1]);
+}
+
 TEST(HierarchyWedges, ButNeverOneOfAnotherPart) {
   const SeamMesh seam(false, 1);
   CollapseList list(seam.mesh);
