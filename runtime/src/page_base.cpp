@@ -33,7 +33,7 @@ uint32_t decodeNodes(const PageFormat& format, const PagePlan& plan, PageStreams
   uint64_t wedge = 0;
   for (uint32_t n = 0; n < plan.node_count; ++n) {
     for (int c = 0; c < 3; ++c) {
-      position[c] += splitValue(streams, &nodes[0], low);
+      position[c] += splitValue(&streams->low_bits[format::kLowPositions], &nodes[0], low);
       if (position[c] < 0 || position[c] >> format.position_bits) return kCheckNode;
       out->node_position[3 * n + static_cast<uint32_t>(c)] = static_cast<uint16_t>(position[c]);
     }
@@ -65,9 +65,9 @@ uint32_t decodeWedges(const PageFormat& format, const PagePlan& plan, PageStream
     out->wedge_part[w] = static_cast<uint16_t>(part);
     out->wedge_parent[w] = format::kNoIndex;
     uint32_t at = 0, column = 1;
-    auto take = [&](uint32_t components, int32_t low) {
+    auto take = [&](uint32_t components, format::LowBits kind, int32_t low) {
       for (uint32_t c = 0; c < components; ++c, ++at) {
-        previous[at] += splitValue(streams, &columns[column], c < 2 ? low : 0);
+        previous[at] += splitValue(&streams->low_bits[kind], &columns[column], c < 2 ? low : 0);
         if (previous[at] < 0 || previous[at] > greatest[at]) return false;
         out->wedge_attributes[static_cast<size_t>(w) * format.layout.stride + at] = static_cast<uint16_t>(previous[at]);
       }
@@ -75,10 +75,11 @@ uint32_t decodeWedges(const PageFormat& format, const PagePlan& plan, PageStream
       return true;
     };
     bool valid = true;
-    if (format.has.normals) valid = take(2, parameters[format::kNormalShift]);
-    if (format.has.tangents) valid = valid && take(3, parameters[format::kTangentShift]);
-    for (uint32_t s = 0; s < format.has.uv_sets; ++s) valid = valid && take(2, parameters[format::kUvBias0 + s]);
-    for (uint32_t s = 0; s < format.has.color_sets; ++s) valid = valid && take(4, 0);
+    if (format.has.normals) valid = take(2, format::kLowNormals, parameters[format::kNormalBias]);
+    if (format.has.tangents) valid = valid && take(3, format::kLowTangents, parameters[format::kTangentBias]);
+    for (uint32_t s = 0; s < format.has.uv_sets; ++s)
+      valid = valid && take(2, format::kLowUvs, parameters[format::kUvBias0 + s]);
+    for (uint32_t s = 0; s < format.has.color_sets; ++s) valid = valid && take(4, format::kLowExtras, 0);
     if (!valid) return kCheckWedge;
   }
   return 0;

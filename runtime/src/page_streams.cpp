@@ -11,6 +11,18 @@ struct StreamTable {
   uint32_t bytes[kMaxStreams];
   uint32_t attribute_count[kMaxStreams];
   ColumnSpec columns[kMaxStreams][kMaxAttributesPerStream];
+  uint32_t low_bytes[format::kLowBitsKinds];
+
+  uint64_t streamBytes() const {
+    uint64_t sum = 0;
+    for (uint32_t s = 0; s < count; ++s) sum += bytes[s];
+    return sum;
+  }
+  uint64_t lowBytes() const {
+    uint64_t sum = 0;
+    for (const uint32_t low : low_bytes) sum += low;
+    return sum;
+  }
 };
 
 /// How many records a stream may have: what the tables' counts allow.
@@ -81,15 +93,14 @@ bool parametersValid(const PageFormat& format, const uint8_t* parameters, bool b
   uint8_t most[format::kParameterBytes] = {};
   most[format::kPositionMean] = most[format::kPlacement] = most[format::kSkinGradient] = strength;
   most[format::kPositionBias] = bias;
-  most[format::kHeightBias] = base ? 0 : bias;
-  most[format::kSkinShift] = base ? 0 : format::kLowBitsMax;
+  most[format::kHeightBias] = most[format::kSkinBias] = base ? 0 : bias;
   if (format.has.normals) {
     most[format::kNormalGradient] = most[format::kNormalGeometry] = strength;
-    most[format::kNormalShift] = format::kLowBitsMax;
+    most[format::kNormalBias] = bias;
   }
   if (format.has.tangents) {
     most[format::kTangentGradient] = strength;
-    most[format::kTangentShift] = format::kLowBitsMax;
+    most[format::kTangentBias] = bias;
   }
   for (uint32_t s = 0; s < format.has.uv_sets; ++s) {
     most[format::kUvGradient0 + s] = strength;
@@ -102,7 +113,7 @@ bool parametersValid(const PageFormat& format, const uint8_t* parameters, bool b
 
 /// Reads the table and gives every stream its share of the page's integers.
 bool readTable(const PageFormat& format, const PagePlan& plan, const Decoded& before, const uint8_t** at,
-               const uint8_t* end, int32_t* values, StreamTable* table, PageStreams* streams, uint32_t* low_bytes) {
+               const uint8_t* end, int32_t* values, StreamTable* table, PageStreams* streams) {
   uint64_t used = 0;
   for (uint32_t s = 0; s < table->count; ++s) {
     uint32_t records = 0;
@@ -118,7 +129,9 @@ bool readTable(const PageFormat& format, const PagePlan& plan, const Decoded& be
       used += count;
     }
   }
-  return used == plan.values && readVarint(at, end, low_bytes);
+  for (uint32_t& bytes : table->low_bytes)
+    if (!readVarint(at, end, &bytes)) return false;
+  return used == plan.values;
 }
 
 /// All clouds in one call, so that their entropy decoders may run side by side.
@@ -171,23 +184,23 @@ uint32_t readStreams(const PageFormat& format, const PagePlan& plan, const Decod
   if (!parametersValid(format, streams->parameters, base)) return kCheckParameters;
 
   StreamTable table;
-  uint32_t low_bytes = 0;
   describeStreams(format, base, &table);
-  const bool table_read = readTable(format, plan, before, &at, end, values, &table, streams, &low_bytes);
+  const bool table_read = readTable(format, plan, before, &at, end, values, &table, streams);
   *offset = static_cast<size_t>(at - bytes);
   if (!table_read) return kCheckTable;
-  uint64_t payload = low_bytes;
-  for (uint32_t s = 0; s < table.count; ++s) payload += table.bytes[s];
-  if (payload > static_cast<uint64_t>(end - at)) return kCheckTable;
+  if (table.streamBytes() + table.lowBytes() > static_cast<uint64_t>(end - at)) return kCheckTable;
 
   uint32_t failed_stream = 0;
   if (!decodeStreams(table, bytes, at, scratch, streams, &failed_stream)) {
     for (uint32_t s = 0; s < failed_stream; ++s) *offset += table.bytes[s];
     return kCheckCloud;
   }
-  const uint8_t* const low = at + (payload - low_bytes);
-  streams->low_bits = {low, 0, static_cast<uint64_t>(low_bytes) * 8, false};
-  streams->hidden = low + low_bytes;
+  at += table.streamBytes();
+  for (uint32_t k = 0; k < format::kLowBitsKinds; ++k) {
+    streams->low_bits[k] = {at, 0, uint64_t{table.low_bytes[k]} * 8, false};
+    at += table.low_bytes[k];
+  }
+  streams->hidden = at;
   streams->hidden_end = end;
   return 0;
 }
@@ -196,10 +209,9 @@ bool streamsExhausted(const PageStreams& streams) {
   for (uint32_t s = 0; s < kMaxStreams; ++s)
     for (uint32_t a = 0; a < kMaxAttributesPerStream; ++a)
       if (streams.values[s][a].at != streams.values[s][a].end || streams.values[s][a].overrun) return false;
-  const BitReader& low = streams.low_bits;
-  if (low.overrun || low.bit_end - low.bit >= 8) return false;
-  // Padding bits of the last byte are zero.
-  return low.bit == low.bit_end || (low.bytes[low.bit >> 3] >> (low.bit & 7)) == 0;
+  for (const BitReader& low : streams.low_bits)
+    if (!low.exhausted()) return false;
+  return true;
 }
 
 }  // namespace lithe::runtime

@@ -78,6 +78,12 @@ struct BitReader {
     }
     return value;
   }
+
+  /// Read to the last byte, whose padding is zero, and no further.
+  bool exhausted() const {
+    if (overrun || bit_end - bit >= 8) return false;
+    return bit == bit_end || (bytes[bit >> 3] >> (bit & 7)) == 0;
+  }
 };
 
 inline constexpr uint32_t kMaxStreams = static_cast<uint32_t>(format::kSplitStreamCount) >
@@ -90,14 +96,14 @@ struct PageStreams {
   const uint8_t* parameters;
   uint32_t records[kMaxStreams];
   IntReader values[kMaxStreams][kMaxAttributesPerStream];
-  BitReader low_bits;
+  BitReader low_bits[format::kLowBitsKinds];
   const uint8_t* hidden;  ///< what follows the low bits
   const uint8_t* hidden_end;
 };
 
 /// A value whose `low` lowest bits are in the low bits, the others in a stream.
-inline int32_t splitValue(PageStreams* streams, IntReader* high, int32_t low) {
-  const uint32_t bits = streams->low_bits.next(low);
+inline int32_t splitValue(BitReader* low_bits, IntReader* high, int32_t low) {
+  const uint32_t bits = low_bits->next(low);
   return static_cast<int32_t>((static_cast<uint32_t>(high->next()) << low) | bits);
 }
 

@@ -160,10 +160,10 @@ bool SplitDecoder::readDifference(uint32_t mean_edge, const format::Plane& plane
   const int32_t low_height = format::lowBits(mean_edge, parameters[format::kHeightBias]);
   int64_t left[3];
   for (uint32_t across : plane.across) {
-    left[across] = residual(&split[format::kSplitPosition], low);
+    left[across] = residual(&split[format::kSplitPosition], format::kLowPositions, low);
     if (left[across] >= kMostResidual || left[across] <= -kMostResidual) return false;
   }
-  left[plane.axis] = residual(&split[format::kSplitPositionHeight], low_height) -
+  left[plane.axis] = residual(&split[format::kSplitPositionHeight], format::kLowPositions, low_height) -
                      plane.lift(left[plane.across[0]], left[plane.across[1]]);
   // Larger differences cannot lie between two points of the grid, and would overflow further on.
   const int64_t most = int64_t{1} << format_.position_bits;
@@ -239,8 +239,7 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8_rank) {
     return kCheckPosition;
   const format::Int3 difference{d[0], d[1], d[2]};
   const int32_t step = format::latticeStep(difference, format_.placement_shift);
-  extent_ = static_cast<uint32_t>(format::longest(difference));
-  ring_extent_ = greatest(static_cast<uint32_t>(extent), extent_);
+  ring_extent_ = static_cast<uint32_t>(greatest(extent, format::longest(difference)));
 
   const format::PredictedPlacement predicted = predictPlacement(center, difference);
   t8_ = format::eighthOfRank(t8_rank, predicted.t8);
@@ -357,58 +356,57 @@ format::Int2 SplitDecoder::normalDifference(uint32_t wedge, const format::Octahe
 }
 
 /// Of two entries of the records.
-format::Int2 SplitDecoder::predictPair(const uint16_t* parent, uint32_t at, int32_t strength) const {
-  if (strength == 0) return {0, 0};
+SplitDecoder::Expected SplitDecoder::expectPair(const uint16_t* parent, uint32_t at, int32_t strength) const {
   const uint32_t stride = format_.layout.stride;
-  format::Slope slope[2];
   auto pair = [&](uint32_t wedge) -> format::Int2 {
     const uint16_t* p = out_->wedge_attributes + static_cast<size_t>(wedge) * stride + at;
     return {p[0], p[1]};
   };
-  neighbours_.slopesOf(pair, {parent[at], parent[at + 1]}, slope);
-  return {format::scaled(strength, slope[0]), format::scaled(strength, slope[1])};
+  const format::PairSlope ring = neighbours_.slopesOf(pair, {parent[at], parent[at + 1]});
+  return {{format::scaled(strength, ring.x), format::scaled(strength, ring.y)},
+          ring.among(neighbours_.count, static_cast<uint32_t>(greatest_[at]))};
 }
 
 /// Of the two entries of a direction, in the chart around the parent's.
-format::Int2 SplitDecoder::predictDirection(const format::ChartedDirection& parent, uint32_t at,
-                                            int32_t strength) const {
-  if (strength == 0) return {0, 0};
+SplitDecoder::Expected SplitDecoder::expectDirection(const format::ChartedDirection& parent, uint32_t at,
+                                                     int32_t strength) const {
   const uint32_t stride = format_.layout.stride;
-  format::Slope slope[2];
   auto point = [&](uint32_t wedge) {
     const uint16_t* p = out_->wedge_attributes + static_cast<size_t>(wedge) * stride + at;
     return parent.chart.fromSquare({p[0], p[1]});
   };
-  neighbours_.slopesOf(point, parent.point, slope);
-  return {format::scaled(strength, slope[0]), format::scaled(strength, slope[1])};
+  const format::PairSlope ring = neighbours_.slopesOf(point, parent.point);
+  return {{format::scaled(strength, ring.x), format::scaled(strength, ring.y)},
+          ring.among(neighbours_.count, static_cast<uint32_t>(greatest_[at]))};
 }
 
-/// The moments of joints' weights around the parent's.
-void SplitDecoder::sumWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints, uint32_t count,
-                              format::Moment* moments) const {
-  format::Moment all;
+/// Of joints' weights around the parent's.
+void SplitDecoder::slopesOfWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints,
+                                   uint32_t count, format::RingSlope* slopes) const {
+  format::Moment moments[format::kMaxSkinJoints] = {};
+  int32_t of_parent[format::kMaxSkinJoints], e[format::kMaxSkinJoints];
+  for (uint32_t j = 0; j < count; ++j) of_parent[j] = j < parent_count ? at_parent[j] : 0;
   for (uint32_t i = 0; i < neighbours_.count; ++i) {
-    const format::Int3 r = neighbours_.r[i];
     const SkinRecord skin = skinOf(*out_, out_->wedge_node[neighbours_.wedge[i]], format_.max_influences);
+    for (uint32_t j = 0; j < count; ++j) e[j] = -of_parent[j];
     for (uint32_t k = 0; k < skin.most && skin.weight[k] > 0; ++k) {
       for (uint32_t j = 0; j < count; ++j)
-        if (joints[j] == skin.joint[k]) moments[j].add(r, skin.weight[k]);
+        if (joints[j] == skin.joint[k]) e[j] += skin.weight[k];
     }
-    all.add(r, 1);
+    for (uint32_t j = 0; j < count; ++j) {
+      moments[j].add(neighbours_.r[i], e[j]);
+      slopes[j].widen(e[j]);
+    }
   }
-  for (uint32_t j = 0; j < count && j < parent_count; ++j) {
-    const int64_t weight = at_parent[j];
-    moments[j].x -= weight * all.x;
-    moments[j].y -= weight * all.y;
-    moments[j].z -= weight * all.z;
-  }
+  for (uint32_t j = 0; j < count; ++j) slopes[j].slope = neighbours_.gradient.of(moments[j]);
 }
 
-bool SplitDecoder::readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
-                                 const format::ChartedDirection& parent, uint16_t* a, uint16_t* b) {
+bool SplitDecoder::readDirection(IntReader* high, format::LowBits kind, uint32_t bias, const Expected& expected,
+                                 int32_t t8, const format::ChartedDirection& parent, uint16_t* a, uint16_t* b) {
   const int32_t size = 2 * parent.chart.center;
-  const int64_t exact_x = int64_t{residual(high, static_cast<int32_t>(shift))} + predicted.x;
-  const int64_t exact_y = int64_t{residual(high, static_cast<int32_t>(shift))} + predicted.y;
+  const int32_t low = format::lowBits(expected.spread, bias);
+  const int64_t exact_x = int64_t{residual(high, kind, low)} + expected.difference.x;
+  const int64_t exact_y = int64_t{residual(high, kind, low)} + expected.difference.y;
   if (exact_x < -2 * size || exact_x > 2 * size || exact_y < -2 * size || exact_y > 2 * size) return false;
   const format::Int2 d{static_cast<int32_t>(exact_x), static_cast<int32_t>(exact_y)};
   const format::ChildDirections children = format::splitDirection(parent, d, t8, face_count_ > 0);
@@ -454,18 +452,21 @@ bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const ui
     const int32_t strength = parameters[format::kNormalGradient], geometry = parameters[format::kNormalGeometry];
     const format::ChartedDirection normal = direction();
     const format::Int2 apart = predicted && geometry > 0 ? normalDifference(wedge, normal.chart) : format::Int2{0, 0};
-    const format::Int2 slope = predictDirection(normal, at, strength);
-    const format::Int2 expected{slope.x + ((geometry * apart.x) >> 4), slope.y + ((geometry * apart.y) >> 4)};
+    Expected expected = expectDirection(normal, at, strength);
+    expected.difference.x += (geometry * apart.x) >> 4;
+    expected.difference.y += (geometry * apart.y) >> 4;
     IntReader* normals = streams_->values[format::kNormals];
-    if (!readDirection(normals, parameters[format::kNormalShift], expected, t8, normal, a, b)) return false;
+    if (!readDirection(normals, format::kLowNormals, parameters[format::kNormalBias], expected, t8, normal, a, b))
+      return false;
     at += 2;
   }
   if (format_.has.tangents) {
     IntReader* tangents = streams_->values[format::kTangents];
     const int32_t strength = parameters[format::kTangentGradient];
     const format::ChartedDirection tangent = direction();
-    const format::Int2 expected = predictDirection(tangent, at, strength);
-    if (!readDirection(&tangents[0], parameters[format::kTangentShift], expected, t8, tangent, a + at, b + at))
+    const Expected expected = expectDirection(tangent, at, strength);
+    if (!readDirection(&tangents[0], format::kLowTangents, parameters[format::kTangentBias], expected, t8, tangent,
+                       a + at, b + at))
       return false;
     const uint32_t flips = static_cast<uint32_t>(tangents[1].next());
     if (flips > 3) return false;
@@ -484,11 +485,11 @@ bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const ui
   };
   for (uint32_t s = 0; s < format_.has.uv_sets; ++s) {
     const int32_t strength = parameters[format::kUvGradient0 + s];
-    const format::Int2 expected = predictPair(parent, at, strength);
-    const int32_t low = format::lowBits(extent_, parameters[format::kUvBias0 + s]);
+    const Expected expected = expectPair(parent, at, strength);
+    const int32_t low = format::lowBits(expected.spread, parameters[format::kUvBias0 + s]);
     IntReader* uvs = streams_->values[format::kUv0 + s];
-    if (!linear(int64_t{residual(uvs, low)} + expected.x) || !linear(int64_t{residual(uvs, low)} + expected.y))
-      return false;
+    auto difference = [&](int32_t of_ring) { return int64_t{residual(uvs, format::kLowUvs, low)} + of_ring; };
+    if (!linear(difference(expected.difference.x)) || !linear(difference(expected.difference.y))) return false;
   }
   for (uint32_t c = 0; c < 4 * format_.has.color_sets; ++c)
     if (!linear(streams_->values[format::kColors][0].next())) return false;
@@ -502,7 +503,8 @@ bool SplitDecoder::readExtra(const uint16_t* first, uint16_t* extra) {
     const format::ExtraField field = format::extraField(format_.has, v);
     extra[v] = first[v];
     if (!(mask >> field.group & 1)) continue;
-    const int64_t value = int64_t{first[v]} + residual(&streams_->values[format::kExtras][0], field.low);
+    const int64_t value =
+        int64_t{first[v]} + residual(&streams_->values[format::kExtras][0], format::kLowExtras, field.low);
     if (value < 0 || value > greatest_[v]) return false;
     extra[v] = static_cast<uint16_t>(value);
   }
@@ -672,6 +674,40 @@ bool makeSkin(const PageFormat& format, WeightEntry* entries, uint32_t count, No
 
 }  // namespace
 
+/// The parent's joints, then those that it lacks: by their place among the ring's, or by id.
+bool SplitDecoder::readJoints(const SkinRecord& parent, uint32_t* joints, uint32_t* count) {
+  const uint32_t parent_count = parent.count();
+  IntReader& news = streams_->values[format::kSkinNew][0];
+  const uint32_t new_count = static_cast<uint32_t>(news.next());
+  if (new_count > format::kMaxSkinJoints - parent_count) return false;
+  *count = parent_count + new_count;
+  for (uint32_t i = 0; i < parent_count; ++i) joints[i] = parent.joint[i];
+  if (new_count == 0) return true;
+  const format::RingJoints around = jointsAround(joints, parent_count);
+  for (uint32_t i = parent_count; i < *count; ++i) {
+    const uint32_t value = static_cast<uint32_t>(news.next());
+    joints[i] = value < around.count ? around.joint[value] : value - around.count;
+    if (joints[i] >= format_.joint_count) return false;
+    for (uint32_t j = 0; j < i; ++j)
+      if (joints[j] == joints[i]) return false;
+  }
+  return true;
+}
+
+format::RingJoints SplitDecoder::jointsAround(const uint32_t* known, uint32_t known_count) const {
+  format::RingJoints around;
+  for (uint32_t i = 0; i < neighbours_.count; ++i) {
+    const SkinRecord skin = skinOf(*out_, out_->wedge_node[neighbours_.wedge[i]], format_.max_influences);
+    for (uint32_t k = 0; k < skin.most && skin.weight[k] > 0; ++k) {
+      bool is_known = false;
+      for (uint32_t j = 0; j < known_count; ++j) is_known = is_known | (known[j] == skin.joint[k]);
+      if (!is_known) around.add(skin.joint[k], skin.weight[k]);
+    }
+  }
+  around.sort();
+  return around;
+}
+
 uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
   const uint32_t influences = format_.max_influences, child_a = out_->node_count - 2;
   const SkinRecord parent = skinOf(*out_, node, influences);
@@ -681,28 +717,14 @@ uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
     memcpy(children + 2 * influences, parent.joint, 2 * influences * sizeof(uint16_t));
     return 0;
   }
-  const uint32_t parent_count = parent.count();
-  IntReader& news = streams_->values[format::kSkinNew][0];
-  uint32_t joints[format::kMaxSkinJoints];
-  const uint32_t new_count = static_cast<uint32_t>(news.next());
-  if (new_count > format::kMaxSkinJoints - parent_count) return kCheckChildSkin;
-  const uint32_t count = parent_count + new_count;
-  for (uint32_t i = 0; i < count; ++i) {
-    joints[i] = i < parent_count ? parent.joint[i] : static_cast<uint32_t>(news.next());
-    if (joints[i] >= format_.joint_count) return kCheckChildSkin;
-    for (uint32_t j = 0; i >= parent_count && j < i; ++j)
-      if (joints[j] == joints[i]) return kCheckChildSkin;
-  }
-  const int32_t shift = streams_->parameters[format::kSkinShift],
-                strength = streams_->parameters[format::kSkinGradient];
   // With one wedge the attributes' ring is the whole fan's: it is still at hand.
-  const bool one_wedge = out_->node_first_wedge[node + 1] - first_parent_wedge_ == 1;
-  const uint32_t written = count - 1;
-  format::Moment moments[format::kMaxSkinJoints] = {};
-  if (strength > 0 && written > 0) {
-    if (!one_wedge) gatherRing(node, kNoIndex);
-    sumWeights(parent.weight, parent_count, joints, written, moments);
-  }
+  if (out_->node_first_wedge[node + 1] - first_parent_wedge_ > 1) gatherRing(node, kNoIndex);
+  const uint32_t parent_count = parent.count();
+  uint32_t joints[format::kMaxSkinJoints], count = 0;
+  if (!readJoints(parent, joints, &count)) return kCheckChildSkin;
+  const int32_t bias = streams_->parameters[format::kSkinBias], strength = streams_->parameters[format::kSkinGradient];
+  format::RingSlope slopes[format::kMaxSkinJoints];
+  slopesOfWeights(parent.weight, parent_count, joints, count - 1, slopes);
   WeightEntry a[format::kMaxSkinJoints] = {}, b[format::kMaxSkinJoints] = {};
   const int32_t one = static_cast<int32_t>(format_.weight_one);
   int32_t last_d = 0, sum_b = 0;
@@ -710,9 +732,12 @@ uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
     const bool last = i + 1 == count;
     const int32_t of_parent = i < parent_count ? parent.weight[i] : 0;
     int64_t d = last_d;
-    if (!last)
-      d = int64_t{residual(&streams_->values[format::kSkinD][0], shift)} +
-          format::scaled(strength, neighbours_.gradient.of(moments[i]));
+    if (!last) {
+      const uint32_t spread = slopes[i].among(neighbours_.count, format_.weight_one);
+      d = int64_t{residual(&streams_->values[format::kSkinD][0], format::kLowSkins,
+                           format::lowBits(spread, static_cast<uint32_t>(bias)))} +
+          format::scaled(strength, slopes[i].slope);
+    }
     if (d > one || d < -one) return kCheckChildSkin;
     int32_t of_b;
     if (mode == format::kSkinRule)

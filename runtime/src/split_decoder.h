@@ -54,6 +54,11 @@ class SplitDecoder {
   uint32_t run(uint32_t* cursor);
 
  private:
+  /// A pair of attributes' difference as far as the ring tells.
+  struct Expected {
+    format::Int2 difference;
+    uint32_t spread;
+  };
   struct NewFace {
     uint32_t third;  ///< node between the two children, on the far corner
     bool first_is_a;
@@ -76,15 +81,15 @@ class SplitDecoder {
   bool readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
   void gatherRing(uint32_t node, uint32_t wedge);
   format::Int2 normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const;
-  format::Int2 predictPair(const uint16_t* parent, uint32_t at, int32_t strength) const;
-  format::Int2 predictDirection(const format::ChartedDirection& parent, uint32_t at, int32_t strength) const;
-  void sumWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints, uint32_t count,
-                  format::Moment* moments) const;
+  Expected expectPair(const uint16_t* parent, uint32_t at, int32_t strength) const;
+  Expected expectDirection(const format::ChartedDirection& parent, uint32_t at, int32_t strength) const;
+  void slopesOfWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints, uint32_t count,
+                       format::RingSlope* slopes) const;
   format::Int3 position(uint32_t node) const {
     const uint16_t* p = out_->node_position + 3 * static_cast<size_t>(node);
     return {p[0], p[1], p[2]};
   }
-  bool readDirection(IntReader* high, uint32_t shift, format::Int2 predicted, int32_t t8,
+  bool readDirection(IntReader* high, format::LowBits kind, uint32_t bias, const Expected& expected, int32_t t8,
                      const format::ChartedDirection& parent, uint16_t* a, uint16_t* b);
   uint32_t moveFan();
   uint32_t addFaces();
@@ -94,12 +99,16 @@ class SplitDecoder {
   uint32_t pickThird(uint32_t node, uint32_t wedge_class, const format::CornersBeside& beside);
   format::WedgesInUse wedgesInUse(uint32_t node) const;
   uint32_t readSkins(uint32_t node, int32_t mode, int32_t t8);
+  bool readJoints(const SkinRecord& parent, uint32_t* joints, uint32_t* count);
+  format::RingJoints jointsAround(const uint32_t* known, uint32_t known_count) const;
   bool readExtra(const uint16_t* first, uint16_t* extra);
   uint32_t readUnsigned(uint32_t stream) { return static_cast<uint32_t>(streams_->values[stream][0].next()); }
   bool childWedge(uint32_t wedge_class, bool at_b, format::MemberGuess guess, uint32_t* wedge);
   uint32_t classOf(uint32_t fan_entry) const { return scratch_.wedge[fan_entry] - first_parent_wedge_; }
   bool pickFaceMember(uint32_t wedge_class, bool at_b, uint32_t beside, uint32_t* wedge);
-  int32_t residual(IntReader* high, int32_t low) { return splitValue(streams_, high, low); }
+  int32_t residual(IntReader* high, format::LowBits kind, int32_t low) {
+    return splitValue(&streams_->low_bits[kind], high, low);
+  }
 
   const PageFormat& format_;
   const PagePlan& plan_;
@@ -115,7 +124,6 @@ class SplitDecoder {
   uint32_t face_count_ = 0;
   bool listed_ = false;                ///< sides and faces come from kGeneral
   int32_t t8_ = 0;                     ///< where the node lies: eighths of the way from child B to A
-  uint32_t extent_ = 0;                ///< of D, for the uvs' low bits
   uint32_t ring_extent_ = 0;           ///< of the ring and of D
   SideSum side_[2];                    ///< child A's and child B's
   format::RingNeighbours neighbours_;  ///< of the corners at one wedge of the split node, or at all

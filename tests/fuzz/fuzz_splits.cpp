@@ -108,7 +108,8 @@ void readPayload(SplitInput& in, format::WedgeAttributes has, bool base, Payload
     }
   }
   out->low_bits.assign(in.at, in.end);
-  out->streams.low_bits = {out->low_bits.data(), 0, 8 * uint64_t{out->low_bits.size()}, false};
+  for (runtime::BitReader& low : out->streams.low_bits)
+    low = {out->low_bits.data(), 0, 8 * uint64_t{out->low_bits.size()}, false};
 }
 
 uint32_t applySplits(const lithe_asset& asset, const runtime::PagePlan& plan, uint32_t cursor,

@@ -46,14 +46,18 @@ class PageEditor {
       records.push_back(table.next());
       sizes.push_back(records.back() ? table.next() : 0);
     }
-    const uint32_t low_bytes = table.next();
+    std::array<uint32_t, format::kLowBitsKinds> low_sizes;
+    for (uint32_t& size : low_sizes) size = table.next();
     const uint8_t* at = table.at;
     for (size_t s = 0; s < data.streams.size(); ++s) {
       if (records[s]) readStream(at, sizes[s], records[s], data.streams[s]);
       at += sizes[s];
     }
-    data.low_bits.assign(at, at + low_bytes);
-    readHidden(VarintReader{at + low_bytes});
+    for (size_t k = 0; k < low_sizes.size(); ++k) {
+      data.low_bits[k].assign(at, at + low_sizes[k]);
+      at += low_sizes[k];
+    }
+    readHidden(VarintReader{at});
   }
 
   /// The values of one attribute of a stream.

@@ -7,6 +7,7 @@
 #include <draco/compression/decode.h>
 #include <draco/point_cloud/point_cloud.h>
 
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -52,7 +53,7 @@ struct ReadPage {
   std::vector<uint8_t> parameters;
   std::vector<uint32_t> records;                          ///< per stream
   std::vector<std::vector<std::vector<int32_t>>> values;  ///< per stream and attribute; none for an empty stream
-  std::vector<uint8_t> low_bits;
+  std::array<std::vector<uint8_t>, format::kLowBitsKinds> low_bits;
   std::vector<std::vector<uint32_t>> hidden;  ///< per level that ends with the page
 };
 
@@ -85,7 +86,8 @@ inline ReadPage readPage(const std::vector<uint8_t>& bytes, format::WedgeAttribu
     page.records.push_back(varint());
     if (page.records[s]) sizes[s] = varint();
   }
-  const uint32_t low_bytes = varint();
+  std::array<uint32_t, format::kLowBitsKinds> low_sizes;
+  for (uint32_t& size : low_sizes) size = varint();
   page.values.resize(streams);
   for (uint32_t s = 0; s < streams; ++s) {
     if (page.records[s] == 0) continue;
@@ -104,7 +106,8 @@ inline ReadPage readPage(const std::vector<uint8_t>& bytes, format::WedgeAttribu
       for (int32_t& value : page.values[s][a]) value = unsignedOf(value);
     }
   }
-  for (uint32_t i = 0; i < low_bytes; ++i) page.low_bits.push_back(byte());
+  for (size_t k = 0; k < low_sizes.size(); ++k)
+    for (uint32_t i = 0; i < low_sizes[k]; ++i) page.low_bits[k].push_back(byte());
   for (uint32_t count : hidden_counts) {
     page.hidden.emplace_back();
     for (uint32_t i = 0, face = 0; i < count; ++i) page.hidden.back().push_back(face += varint());

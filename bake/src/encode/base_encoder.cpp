@@ -36,6 +36,7 @@ void addStandingFaces(Cut& cut) {
 /// Differences to what came before, of one attribute: cut into high parts and low bits when all are known.
 struct Differences {
   StreamData::Attribute* attribute;
+  format::LowBits kind;
   uint32_t parameter;  ///< that holds the number of low bits; kNone: there are none
   uint32_t shifted;    ///< components that have low bits
   std::vector<int32_t> values;
@@ -49,7 +50,7 @@ struct Differences {
 };
 
 /// Record by record, as a reader takes them.
-void writeDifferences(std::vector<Differences>& columns, PageData& page, BitWriter& low_bits) {
+void writeDifferences(std::vector<Differences>& columns, PageData& page, LowBitsWriter& low_bits) {
   for (Differences& column : columns)
     if (column.parameter != kNone) page.parameters[column.parameter] = column.chooseShift();
   const size_t records = columns.empty() ? 0 : columns[0].values.size() / columns[0].attribute->spec.components;
@@ -59,15 +60,15 @@ void writeDifferences(std::vector<Differences>& columns, PageData& page, BitWrit
       for (uint32_t c = 0; c < components; ++c) {
         const int32_t value = column.values[r * components + c];
         const int32_t low = column.parameter != kNone && c < column.shifted ? page.parameters[column.parameter] : 0;
-        column.attribute->putSplit(value, low, low_bits);
+        column.attribute->putSplit(value, low, low_bits[column.kind]);
       }
     }
 }
 
-void writeNodes(const Cut& cut, PageData& page, BitWriter& low_bits) {
+void writeNodes(const Cut& cut, PageData& page, LowBitsWriter& low_bits) {
   auto& nodes = page.streams[format::kBaseNodes].attributes;
   auto& influences = page.streams[format::kBaseInfluences].attributes;
-  std::vector<Differences> positions{{&nodes[0], format::kPositionBias, 3, {}}};
+  std::vector<Differences> positions{{&nodes[0], format::kLowPositions, format::kPositionBias, 3, {}}};
   glm::ivec3 previous(0);
   for (uint32_t n = 0; n < cut.node_hierarchy.size(); ++n) {
     const uint32_t node = cut.node_hierarchy[n];
@@ -88,14 +89,15 @@ void writeNodes(const Cut& cut, PageData& page, BitWriter& low_bits) {
 std::vector<Differences> wedgeColumns(const WedgeRecord& record, format::WedgeAttributes has, PageData& page) {
   StreamData::Attribute* attribute = page.streams[format::kBaseWedges].attributes.data() + 1;  // the first is the part
   std::vector<Differences> columns;
-  if (record.normal != kNone) columns.push_back({attribute++, format::kNormalShift, 2, {}});
-  if (record.tangent != kNone) columns.push_back({attribute++, format::kTangentShift, 2, {}});
-  for (uint32_t s = 0; s < has.uv_sets; ++s) columns.push_back({attribute++, format::kUvBias0 + s, 2, {}});
-  for (uint32_t s = 0; s < has.color_sets; ++s) columns.push_back({attribute++, kNone, 0, {}});
+  if (record.normal != kNone) columns.push_back({attribute++, format::kLowNormals, format::kNormalBias, 2, {}});
+  if (record.tangent != kNone) columns.push_back({attribute++, format::kLowTangents, format::kTangentBias, 2, {}});
+  for (uint32_t s = 0; s < has.uv_sets; ++s)
+    columns.push_back({attribute++, format::kLowUvs, format::kUvBias0 + s, 2, {}});
+  for (uint32_t s = 0; s < has.color_sets; ++s) columns.push_back({attribute++, format::kLowExtras, kNone, 0, {}});
   return columns;
 }
 
-void writeWedges(const Cut& cut, format::WedgeAttributes has, PageData& page, BitWriter& low_bits) {
+void writeWedges(const Cut& cut, format::WedgeAttributes has, PageData& page, LowBitsWriter& low_bits) {
   std::vector<Differences> columns = wedgeColumns(cut.h.record, has, page);
   const uint32_t stride = cut.h.record.stride;
   std::vector<int32_t> previous(stride, 0);
@@ -132,11 +134,11 @@ PageData encodeBase(Cut& cut, format::WedgeAttributes has) {
     throw Error("the coarsest level still has " + std::to_string(cut.wedge_node.size()) +
                 " vertices: collapse further (the simplifier stopped early)");
   addStandingFaces(cut);
-  BitWriter low_bits;
+  LowBitsWriter low_bits;
   writeNodes(cut, page, low_bits);
   writeWedges(cut, has, page, low_bits);
   writeFaces(cut, page);
-  page.low_bits = low_bits.bytes();
+  low_bits.finish(page);
   return page;
 }
 

@@ -19,6 +19,7 @@ SplitSettings settingsOf(const EncodeInput& input) {
   settings.placement_shift = input.placement_shift;
   settings.weight_one = input.mesh.weight_one;
   settings.normal_center = format::octahedralCenter(input.mesh.normal_bits);
+  settings.uv_greatest = (1u << input.mesh.uv_bits) - 1;
   settings.has = {attributes.normal, attributes.tangent, attributes.uv_sets, attributes.color_sets};
   return settings;
 }

@@ -25,6 +25,10 @@ std::vector<uint8_t> encodeStream(const StreamData& stream) {
 
 }  // namespace
 
+void LowBitsWriter::finish(PageData& page) const {
+  for (std::size_t k = 0; k < kinds_.size(); ++k) page.low_bits[k] = kinds_[k].bytes();
+}
+
 uint64_t PageData::valueCount() const {
   uint64_t count = 0;
   for (const StreamData& stream : streams)
@@ -58,9 +62,12 @@ std::vector<uint8_t> writePage(const PageData& page, PageBytes* bytes) {
     payload.insert(payload.end(), stream.begin(), stream.end());
     bytes->streams[s] = static_cast<uint32_t>(stream.size());
   }
-  putVarint(table, page.low_bits.size());
-  payload.insert(payload.end(), page.low_bits.begin(), page.low_bits.end());
-  bytes->low_bits = static_cast<uint32_t>(page.low_bits.size());
+  bytes->low_bits = 0;
+  for (const std::vector<uint8_t>& bits : page.low_bits) {
+    putVarint(table, bits.size());
+    payload.insert(payload.end(), bits.begin(), bits.end());
+    bytes->low_bits += static_cast<uint32_t>(bits.size());
+  }
 
   std::vector<uint8_t> out;
   out.reserve(1 + page.parameters.size() + table.size() + payload.size());

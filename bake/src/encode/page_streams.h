@@ -28,6 +28,18 @@ class BitWriter {
   uint64_t count_ = 0;
 };
 
+struct PageData;
+
+/// The low bits of a page, each kind's apart.
+class LowBitsWriter {
+ public:
+  BitWriter& operator[](format::LowBits kind) { return kinds_[kind]; }
+  void finish(PageData& page) const;
+
+ private:
+  std::array<BitWriter, format::kLowBitsKinds> kinds_;
+};
+
 /// One stream: `attributes[i].values` holds records * components integers.
 struct StreamData {
   struct Attribute {
@@ -53,7 +65,7 @@ struct PageData {
   format::PageKind kind = format::kBasePage;
   std::array<uint8_t, format::kParameterBytes> parameters{};
   std::vector<StreamData> streams;
-  std::vector<uint8_t> low_bits;
+  std::array<std::vector<uint8_t>, format::kLowBitsKinds> low_bits;
   std::vector<std::vector<uint32_t>> hidden;  ///< ascending face ids, of each level that ends in this page
   uint32_t max_fan = 0;                       ///< most corners or wedges at a node that is split
 

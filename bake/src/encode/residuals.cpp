@@ -150,22 +150,20 @@ void choosePositions(const std::vector<Residual>& items, Parameters& parameters)
   parameters[format::kHeightBias] = positions.series(mean, Kindred::Part::kHeight).best(true).bias;
 }
 
-/// Where the parameters of a kind of attribute are; geometry kNone: it has none. adaptive: the low bits follow the
-/// extent.
+/// Where the parameters of a kind of attribute are; geometry kNone: it has none.
 struct Places {
-  uint32_t slope, geometry, low;
-  bool adaptive;
+  uint32_t slope, geometry, bias;
 };
 
 void chooseAttribute(const Kindred& kindred, const Places& at, Parameters& parameters) {
   // Small differences may be dear all the same: where most are equal, a prediction scatters them.
   Strength strength = kindred.bestStrength(at.geometry != kNone);
-  Series::Choice low = kindred.series(strength).best(at.adaptive);
-  const Series::Choice low_of_none = kindred.series({}).best(at.adaptive);
-  if (low_of_none.bits <= low.bits) strength = {}, low = low_of_none;
+  Series::Choice choice = kindred.series(strength).best(true);
+  const Series::Choice unpredicted = kindred.series({}).best(true);
+  if (unpredicted.bits <= choice.bits) strength = {}, choice = unpredicted;
   parameters[at.slope] = strength.slope;
   if (at.geometry != kNone) parameters[at.geometry] = strength.geometry;
-  parameters[at.low] = low.bias;
+  parameters[at.bias] = choice.bias;
 }
 
 void chooseParameters(const std::vector<Residual>& items, Parameters& parameters) {
@@ -175,30 +173,29 @@ void chooseParameters(const std::vector<Residual>& items, Parameters& parameters
   };
   choosePositions(items, parameters);
   parameters[format::kPlacement] = Kindred(items, Kind::kLattice, 0).cheapestSlope();
-  choose(Kind::kNormal, 0, {format::kNormalGradient, format::kNormalGeometry, format::kNormalShift, false});
-  choose(Kind::kTangent, 0, {format::kTangentGradient, kNone, format::kTangentShift, false});
-  choose(Kind::kSkin, 0, {format::kSkinGradient, kNone, format::kSkinShift, false});
+  choose(Kind::kNormal, 0, {format::kNormalGradient, format::kNormalGeometry, format::kNormalBias});
+  choose(Kind::kTangent, 0, {format::kTangentGradient, kNone, format::kTangentBias});
+  choose(Kind::kSkin, 0, {format::kSkinGradient, kNone, format::kSkinBias});
   for (uint32_t set = 0; set < kMaxUvSets; ++set)
-    choose(Kind::kUv, set, {format::kUvGradient0 + set, kNone, format::kUvBias0 + set, true});
+    choose(Kind::kUv, set, {format::kUvGradient0 + set, kNone, format::kUvBias0 + set});
 }
 
 void fillStreams(const std::vector<Residual>& items, PageData& page) {
   const auto& parameters = page.parameters;
-  BitWriter low_bits;
-  auto putValue = [&](int32_t value, StreamData::Attribute& attribute, int32_t low) {
-    attribute.putSplit(value, low, low_bits);
-  };
-  auto put = [&](const Residual& item, StreamData::Attribute& attribute, Strength strength, int32_t low) {
+  LowBitsWriter low_bits;
+  auto put = [&](const Residual& item, StreamData::Attribute& attribute, Strength strength, format::LowBits kind,
+                 int32_t low) {
     const auto values = residualOf(item, strength.slope, strength.geometry);
-    for (uint32_t i = 0; i < item.components; ++i) putValue(values[i], attribute, low);
+    for (uint32_t i = 0; i < item.components; ++i) attribute.putSplit(values[i], low, low_bits[kind]);
   };
+  auto lowOf = [&](const Residual& item, uint32_t bias) { return format::lowBits(item.extent, parameters[bias]); };
   auto putPosition = [&](const Residual& item) {
     const auto values = residualOf(item, parameters[format::kPositionMean], 0);
     auto& splits = page.streams[format::kSplits].attributes;
-    const int32_t low = format::lowBits(item.extent, parameters[format::kPositionBias]);
-    for (uint32_t i = 0; i < 2; ++i) putValue(values[i], splits[format::kSplitPosition], low);
-    putValue(values[2], splits[format::kSplitPositionHeight],
-             format::lowBits(item.extent, parameters[format::kHeightBias]));
+    BitWriter& bits = low_bits[format::kLowPositions];
+    for (uint32_t i = 0; i < 2; ++i)
+      splits[format::kSplitPosition].putSplit(values[i], lowOf(item, format::kPositionBias), bits);
+    splits[format::kSplitPositionHeight].putSplit(values[2], lowOf(item, format::kHeightBias), bits);
   };
   for (const Residual& item : items) {
     switch (item.kind) {
@@ -206,31 +203,33 @@ void fillStreams(const std::vector<Residual>& items, PageData& page) {
         putPosition(item);
         break;
       case Residual::Kind::kLattice:
-        put(item, page.streams[format::kSplits].attributes[format::kSplitLattice], {parameters[format::kPlacement]}, 0);
+        put(item, page.streams[format::kSplits].attributes[format::kSplitLattice], {parameters[format::kPlacement]},
+            format::kLowPositions, 0);
         break;
       case Residual::Kind::kNormal:
         put(item, page.streams[format::kNormals].attributes[0],
-            {parameters[format::kNormalGradient], parameters[format::kNormalGeometry]},
-            parameters[format::kNormalShift]);
+            {parameters[format::kNormalGradient], parameters[format::kNormalGeometry]}, format::kLowNormals,
+            lowOf(item, format::kNormalBias));
         break;
       case Residual::Kind::kTangent:
         put(item, page.streams[format::kTangents].attributes[0], {parameters[format::kTangentGradient]},
-            parameters[format::kTangentShift]);
+            format::kLowTangents, lowOf(item, format::kTangentBias));
         break;
       case Residual::Kind::kSkin:
-        put(item, page.streams[format::kSkinD].attributes[0], {parameters[format::kSkinGradient]},
-            parameters[format::kSkinShift]);
+        put(item, page.streams[format::kSkinD].attributes[0], {parameters[format::kSkinGradient]}, format::kLowSkins,
+            lowOf(item, format::kSkinBias));
         break;
       case Residual::Kind::kUv:
         put(item, page.streams[format::kUv0 + item.set].attributes[0], {parameters[format::kUvGradient0 + item.set]},
-            format::lowBits(item.extent, parameters[format::kUvBias0 + item.set]));
+            format::kLowUvs, lowOf(item, format::kUvBias0 + item.set));
         break;
       case Residual::Kind::kExtra:
-        put(item, page.streams[format::kExtras].attributes[0], {}, static_cast<int32_t>(item.extent));
+        put(item, page.streams[format::kExtras].attributes[0], {}, format::kLowExtras,
+            static_cast<int32_t>(item.extent));
         break;
     }
   }
-  page.low_bits = low_bits.bytes();
+  low_bits.finish(page);
 }
 
 }  // namespace

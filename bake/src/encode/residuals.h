@@ -23,8 +23,8 @@ struct Residual {
                                          ///< (lattice) or over the ring
   std::array<int64_t, 3> normal{};       ///< of the ring (positions)
   std::array<int32_t, 3> geometry{};     ///< of the area normals (normals)
-  /// What the number of low bits follows: the ring's mean edge, |D| for uvs; the number itself for extras. Of a lattice
-  /// index, which has none, the lattice's step.
+  /// What the number of low bits follows: the ring's mean edge (positions), its spread (attributes); the number itself
+  /// for extras. Of a lattice index, which has none, the lattice's step.
   uint32_t extent = 0;
 };
 

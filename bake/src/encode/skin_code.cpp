@@ -3,6 +3,7 @@
 #include "skin_code.h"
 
 #include <algorithm>
+#include <set>
 
 #include "lithe/format/placement.h"
 
@@ -15,23 +16,44 @@ int32_t weightOf(const QuantizedSkin& skin, uint16_t joint) {
   return 0;
 }
 
-/// The parent's joints in their order, then the children's others, ascending.
+/// The parent's joints in their order, then the children's others as the file says them: those of the ring by their
+/// place there, then the rest by id behind it.
 struct JointList {
   std::vector<uint16_t> joints;
-  uint32_t known = 0;  ///< how many are the parent's
+  uint32_t known = 0;            ///< how many are the parent's
+  std::vector<int32_t> said_as;  ///< of the others
 };
 
-JointList listJoints(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b) {
+format::RingJoints jointsAround(const SkinRing& ring, const QuantizedSkin& parent) {
+  format::RingJoints around;
+  for (uint32_t i = 0; i < ring.neighbours.count; ++i) {
+    const QuantizedSkin& skin = ring.skin_of(ring.neighbours.wedge[i]);
+    for (uint32_t k = 0; k < skin.count; ++k)
+      if (weightOf(parent, skin.joint[k]) == 0) around.add(skin.joint[k], skin.weight[k]);
+  }
+  around.sort();
+  return around;
+}
+
+JointList listJoints(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b,
+                     const SkinRing& ring) {
+  std::set<uint16_t> others;
+  for (const QuantizedSkin* skin : {&a, &b})
+    for (uint32_t i = 0; i < skin->count; ++i)
+      if (weightOf(parent, skin->joint[i]) == 0) others.insert(skin->joint[i]);
   JointList list;
   list.joints.assign(parent.joint.begin(), parent.joint.begin() + parent.count);
   list.known = parent.count;
-  std::vector<uint16_t> others;
-  for (const QuantizedSkin* skin : {&a, &b})
-    for (uint32_t i = 0; i < skin->count; ++i)
-      if (weightOf(parent, skin->joint[i]) == 0) others.push_back(skin->joint[i]);
-  std::sort(others.begin(), others.end());
-  others.erase(std::unique(others.begin(), others.end()), others.end());
-  list.joints.insert(list.joints.end(), others.begin(), others.end());
+  const format::RingJoints around = jointsAround(ring, parent);
+  for (uint32_t i = 0; i < around.count; ++i) {
+    if (others.erase(static_cast<uint16_t>(around.joint[i])) == 0) continue;
+    list.joints.push_back(static_cast<uint16_t>(around.joint[i]));
+    list.said_as.push_back(static_cast<int32_t>(i));
+  }
+  for (uint16_t joint : others) {
+    list.joints.push_back(joint);
+    list.said_as.push_back(static_cast<int32_t>(around.count + joint));
+  }
   return list;
 }
 
@@ -60,12 +82,12 @@ void encodeSkins(const QuantizedSkin& parent, const QuantizedSkin& a, const Quan
     modes.push_back(format::kSkinSame);
     return;
   }
-  const JointList list = listJoints(parent, a, b);
+  const JointList list = listJoints(parent, a, b, ring);
   const bool rule = ruleGives(list, parent, a, b, t8, weight_one);
   modes.push_back(rule ? format::kSkinRule : format::kSkinFree);
   StreamData& news = page.streams[format::kSkinNew];
-  news.put(static_cast<int32_t>(list.joints.size() - list.known));
-  for (size_t i = list.known; i < list.joints.size(); ++i) news.put(list.joints[i]);
+  news.put(static_cast<int32_t>(list.said_as.size()));
+  for (int32_t value : list.said_as) news.put(value);
   // The last difference follows from the sum, so a single joint costs nothing.
   for (size_t i = 0; i + 1 < list.joints.size(); ++i) {
     const int32_t of_b = weightOf(b, list.joints[i]);
@@ -74,8 +96,10 @@ void encodeSkins(const QuantizedSkin& parent, const QuantizedSkin& a, const Quan
     residual.difference[0] = weightOf(a, list.joints[i]) - of_b;
     const uint16_t joint = list.joints[i];
     const int32_t at_parent = weightOf(parent, joint);
-    residual.slope[0] =
+    const format::RingSlope around =
         ring.neighbours.slopeOf([&](uint32_t wedge) { return weightOf(ring.skin_of(wedge), joint) - at_parent; });
+    residual.slope[0] = around.slope;
+    residual.extent = around.among(ring.neighbours.count, weight_one);
     residuals.add(residual);
     if (!rule) page.streams[format::kSkinE].put(of_b - weightOf(parent, list.joints[i]));
   }

@@ -287,6 +287,19 @@ void SplitEncoder::addChildren(const std::vector<WedgeClass>& classes, const Pla
   }
 }
 
+namespace {
+
+/// greatest: of either component
+template <class Point>
+void predictFromRing(Residual& residual, const format::RingNeighbours& neighbours, const Point& point,
+                     format::Int2 parent, uint32_t greatest) {
+  const format::PairSlope ring = neighbours.slopesOf(point, parent);
+  residual.slope = {ring.x, ring.y, {}};
+  residual.extent = ring.among(neighbours.count, greatest);
+}
+
+}  // namespace
+
 // In the chart around the parent's direction.
 Residual SplitEncoder::directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
                                          const format::RingNeighbours& neighbours) const {
@@ -298,7 +311,7 @@ Residual SplitEncoder::directionResidual(uint32_t at, uint32_t parent, uint32_t 
   residual.difference = {d->x, d->y, 0};
   const format::ChartedDirection here(p, settings_.normal_center);
   auto point = [&](uint32_t neighbour) { return here.chart.fromSquare(pairAt(cut_.wedge_hierarchy[neighbour], at)); };
-  neighbours.slopesOf(point, here.point, residual.slope.data());
+  predictFromRing(residual, neighbours, point, here.point, 2 * static_cast<uint32_t>(settings_.normal_center));
   return residual;
 }
 
@@ -310,8 +323,9 @@ Residual SplitEncoder::uvResidual(uint32_t set, uint32_t parent, uint32_t a, uin
   residual.components = 2;
   const uint32_t at = cut_.h.record.uv[set];
   for (uint32_t c = 0; c < 2; ++c) residual.difference[c] = attributes(a)[at + c] - attributes(b)[at + c];
-  neighbours.slopesOf([&](uint32_t neighbour) { return pairAt(cut_.wedge_hierarchy[neighbour], at); },
-                      pairAt(parent, at), residual.slope.data());
+  predictFromRing(
+      residual, neighbours, [&](uint32_t neighbour) { return pairAt(cut_.wedge_hierarchy[neighbour], at); },
+      pairAt(parent, at), settings_.uv_greatest);
   return residual;
 }
 
@@ -369,12 +383,7 @@ void SplitEncoder::writeAttributes(uint32_t wedge, const WedgeClass& wedge_class
       page_.streams[format::kTangents].attributes[1].values.push_back(
           (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));
     }
-    const glm::ivec3 d = glm::abs(cut_.h.position[plan.a] - cut_.h.position[plan.b]);
-    for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) {
-      Residual residual = uvResidual(s, parent, a, b, neighbours);
-      residual.extent = static_cast<uint32_t>(std::max({d.x, d.y, d.z}));
-      residuals_.add(residual);
-    }
+    for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) residuals_.add(uvResidual(s, parent, a, b, neighbours));
     for (uint32_t s = 0; s < settings_.has.color_sets; ++s)
       for (uint32_t c = 0; c < 4; ++c)
         page_.streams[format::kColors].put(attributes(a)[record.color[s] + c] - attributes(b)[record.color[s] + c]);

@@ -18,6 +18,7 @@ struct SplitSettings {
   uint32_t placement_shift = 0;
   uint32_t weight_one = 255;
   int32_t normal_center = 511;
+  uint32_t uv_greatest = 4095;
   format::WedgeAttributes has{};
 };
 

@@ -14,11 +14,7 @@
 namespace lithe::tool {
 
 struct CloudBytes {
-  struct Attribute {
-    uint64_t bytes = 0;
-    std::vector<int32_t> values;  ///< the cloud's, point by point
-  };
-  std::vector<Attribute> attributes;  ///< their bytes add up to the stream
+  std::vector<uint64_t> attributes;  ///< they add up to the stream
 };
 
 /// `attributes` are the stream's, `place` names it in sentences. @throws bake::Error when it is no cloud of integers

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "cloud_bytes.h"
 #include "lithe/bake/model.h"
@@ -115,6 +114,9 @@ KindIndex kindOfStream(size_t stream) {
   }
 }
 
+/// In the order of format::LowBits.
+constexpr KindIndex kOfLowBits[format::kLowBitsKinds] = {kDifferences, kNormals, kTangents, kUvs, kWeights, kFurther};
+
 bool isOfSkeleton(uint32_t chunk) {
   constexpr uint32_t kIds[] = {format::node::kId, format::joint::kId,   format::scale::kId, format::material::kId,
                                format::part::kId, format::uv_grid::kId, format::names::kId};
@@ -142,28 +144,21 @@ class Counter {
     addBytes(kFileTables, first_page.offset - skeleton);
   }
 
-  /// Pages in order: a page of splits has its children behind those of the pages before it.
   void countPage(const lithe_page& page, uint32_t index) {
     const std::string place = name_ + ": page " + std::to_string(index);
     const PageTable table = readPageTable(file_.subspan(page.offset, page.size), place);
     if (table.kind == format::kBasePage) {
       addBytes(kBase, page.size);
-      next_node_ = baseCount(hierarchy_.node_parent, hierarchy_.node_count);
-      next_wedge_ = baseCount(hierarchy_.wedge_parent, hierarchy_.wedge_count);
       return;
     }
     addBytes(kPageTables, page.size - table.payloadBytes());
-    countLowBits(table, countStreams(table, place));
+    countStreams(table, place);
+    for (size_t k = 0; k < table.low_bits.size(); ++k) addBytes(kOfLowBits[k], table.low_bits[k].size());
   }
 
   FileCosts costs() const {
     FileCosts costs;
-    uint64_t bits = 0, bytes = 0;
-    for (size_t k = 0; k < kKindCount; ++k) {
-      bits += bits_[k];
-      costs.kinds.push_back({kNames[k].group, kNames[k].name, (bits + 4) / 8 - bytes});
-      bytes += costs.kinds.back().bytes;
-    }
+    for (size_t k = 0; k < kKindCount; ++k) costs.kinds.push_back({kNames[k].group, kNames[k].name, bytes_[k]});
     auto is_leaf = [&](uint32_t node) { return hierarchy_.node_first_child[node] == LITHE_NO_INDEX; };
     for (uint32_t n = 0; n < hierarchy_.node_count; ++n) costs.vertices += is_leaf(n);
     for (uint32_t w = 0; w < hierarchy_.wedge_count; ++w) costs.wedges += is_leaf(hierarchy_.wedge_node[w]);
@@ -171,95 +166,18 @@ class Counter {
   }
 
  private:
-  void addBits(KindIndex kind, uint64_t bits) { bits_[kind] += bits; }
-  void addBytes(KindIndex kind, uint64_t bytes) { addBits(kind, 8 * bytes); }
+  void addBytes(KindIndex kind, uint64_t bytes) { bytes_[kind] += bytes; }
 
-  static uint32_t baseCount(const uint32_t* parents, uint32_t count) {
-    return static_cast<uint32_t>(
-        std::find_if(parents, parents + count, [](uint32_t parent) { return parent != LITHE_NO_INDEX; }) - parents);
-  }
-
-  /// Returns the masks of the page's further wedges.
-  std::vector<int32_t> countStreams(const PageTable& table, const std::string& place) {
-    std::vector<int32_t> masks;
+  void countStreams(const PageTable& table, const std::string& place) {
     for (size_t s = 0; s < table.streams.size(); ++s) {
       if (table.streams[s].records == 0) continue;
       format::StreamAttribute attributes[format::kMaxStreamAttributes];
       const uint32_t count = format::splitStreamAttributes(static_cast<uint32_t>(s), has_, attributes);
-      CloudBytes cloud = measureCloud(table.streams[s], {attributes, count}, place + ", stream " + std::to_string(s));
+      const CloudBytes cloud =
+          measureCloud(table.streams[s], {attributes, count}, place + ", stream " + std::to_string(s));
       for (size_t a = 0; a < cloud.attributes.size(); ++a)
-        addBytes(s == format::kSplits ? kindOfSplitAttribute(a) : kindOfStream(s), cloud.attributes[a].bytes);
-      if (s == format::kExtraMasks) masks = std::move(cloud.attributes[0].values);
+        addBytes(s == format::kSplits ? kindOfSplitAttribute(a) : kindOfStream(s), cloud.attributes[a]);
     }
-    return masks;
-  }
-
-  void countLowBits(const PageTable& table, const std::vector<int32_t>& masks) {
-    uint64_t left = 8 * table.low_bits.size();
-    auto take = [&](KindIndex kind, uint64_t bits) {
-      if (bits > left) throw bake::Error(name_ + ": states other low bits than its parameters; bake it again");
-      addBits(kind, bits);
-      left -= bits;
-    };
-    auto fixed = [&](size_t stream, size_t components, size_t shift) {
-      return uint64_t{table.streams[stream].records} * components * table.parameters[shift];
-    };
-    take(kNormals, fixed(format::kNormals, 2, format::kNormalShift));
-    take(kTangents, fixed(format::kTangents, 2, format::kTangentShift));
-    take(kWeights, fixed(format::kSkinD, 1, format::kSkinShift));
-    take(kFurther, furtherLowBits(masks));
-    take(kUvs, uvLowBits(table));
-    addBits(kDifferences, left);
-  }
-
-  uint64_t furtherLowBits(const std::vector<int32_t>& masks) const {
-    const uint32_t stride = (has_.normals ? 2u : 0u) + (has_.tangents ? 3u : 0u) + 2 * has_.uv_sets;
-    uint64_t bits = 0;
-    for (int32_t stored : masks) {
-      const uint32_t mask = static_cast<uint32_t>(stored < 0 ? -2 * stored - 1 : 2 * stored);
-      for (uint32_t i = 0; i < stride; ++i) {
-        const format::ExtraField field = format::extraField(has_, i);
-        if (mask >> field.group & 1) bits += field.low;
-      }
-    }
-    return bits;
-  }
-
-  /// Walks over the page's splits, whose children are the next nodes and wedges.
-  uint64_t uvLowBits(const PageTable& table) {
-    uint64_t bits = 0;
-    for (uint32_t splits = table.streams[format::kSplits].records; splits > 0; --splits, next_node_ += 2) {
-      const uint32_t classes = takeClassesAtBoth(), extent = differenceOfChildren();
-      for (uint32_t set = 0; set < has_.uv_sets; ++set)
-        bits += uint64_t{2} * classes *
-                static_cast<uint32_t>(format::lowBits(extent, table.parameters[format::kUvBias0 + set]));
-    }
-    return bits;
-  }
-
-  uint32_t differenceOfChildren() const {
-    const uint16_t* a = hierarchy_.node_position + size_t{3} * next_node_;
-    int32_t largest = 0;
-    for (size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a[c] - a[c + 3]));
-    return static_cast<uint32_t>(largest);
-  }
-
-  /// The parent's wedges with wedges at both of the next two nodes. A child's wedges come in the order of their
-  /// parents.
-  uint32_t takeClassesAtBoth() {
-    const std::vector<uint32_t> at_a = takeParentsOfWedgesAt(next_node_), at_b = takeParentsOfWedgesAt(next_node_ + 1);
-    std::vector<uint32_t> both;
-    std::set_intersection(at_a.begin(), at_a.end(), at_b.begin(), at_b.end(), std::back_inserter(both));
-    return static_cast<uint32_t>(both.size());
-  }
-
-  std::vector<uint32_t> takeParentsOfWedgesAt(uint32_t node) {
-    std::vector<uint32_t> parents;
-    for (; next_wedge_ < hierarchy_.wedge_count && hierarchy_.wedge_node[next_wedge_] == node; ++next_wedge_) {
-      const uint32_t parent = hierarchy_.wedge_parent[next_wedge_];
-      if (parents.empty() || parents.back() != parent) parents.push_back(parent);
-    }
-    return parents;
   }
 
   Bytes file_;
@@ -267,8 +185,7 @@ class Counter {
   lithe_asset_info info_{};
   lithe_hierarchy hierarchy_{};
   format::WedgeAttributes has_{};
-  std::array<uint64_t, kKindCount> bits_{};
-  uint32_t next_node_ = 0, next_wedge_ = 0;
+  std::array<uint64_t, kKindCount> bytes_{};
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ void countPage(std::span<const uint8_t> page, const std::string& place, std::map
   const PageTable table = readPageTable(page, place);
   for (uint32_t s = 0; s < table.streams.size(); ++s)
     if (table.streams[s].records > 0) kinds[bake::streamKind(table.kind, s)] += table.streams[s].bytes.size();
-  kinds["low bits"] += table.low_bits.size();
+  for (const auto& bits : table.low_bits) kinds["low bits"] += bits.size();
   kinds["page tables"] += page.size() - table.payloadBytes();
 }
 

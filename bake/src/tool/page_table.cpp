@@ -45,7 +45,8 @@ class Cursor {
 }  // namespace
 
 uint64_t PageTable::payloadBytes() const {
-  uint64_t count = low_bits.size();
+  uint64_t count = 0;
+  for (const Bytes& bits : low_bits) count += bits.size();
   for (const Stream& stream : streams) count += stream.bytes.size();
   return count;
 }
@@ -63,9 +64,10 @@ PageTable readPageTable(Bytes page, const std::string& place) {
     stream.records = cursor.varint();
     sizes.push_back(stream.records > 0 ? cursor.varint() : 0);
   }
-  const uint32_t low_bytes = cursor.varint();
+  std::array<uint32_t, format::kLowBitsKinds> low_sizes;
+  for (uint32_t& size : low_sizes) size = cursor.varint();
   for (size_t s = 0; s < sizes.size(); ++s) table.streams[s].bytes = cursor.take(sizes[s]);
-  table.low_bits = cursor.take(low_bytes);
+  for (size_t k = 0; k < low_sizes.size(); ++k) table.low_bits[k] = cursor.take(low_sizes[k]);
   return table;
 }
 

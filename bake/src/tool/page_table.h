@@ -3,6 +3,7 @@
 /// A page taken apart by its own stream table: where its streams and low bits lie. Nothing is decoded.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -20,7 +21,7 @@ struct PageTable {
   format::PageKind kind = format::kBasePage;
   std::span<const uint8_t> parameters;
   std::vector<Stream> streams;  ///< of the page's kind, in the order of the format
-  std::span<const uint8_t> low_bits;
+  std::array<std::span<const uint8_t>, format::kLowBitsKinds> low_bits;
 
   /// What the streams and the low bits take; the rest of the page is tables.
   uint64_t payloadBytes() const;

@@ -3,7 +3,8 @@
 """What the wedges of a split node become, and the children's attributes (docs/format.md, section 4.4)."""
 from integers import between, cross, largest, low_bits, minus, plus, predicted
 from octahedron import Chart, fold
-from page_streams import (CLASSES_BOTH, CLASSES_NONE, CLASSES_ONE, COLORS, EXTRA_MASKS, EXTRAS, NORMALS, TANGENTS, UV_0)
+from page_streams import (CLASSES_BOTH, CLASSES_NONE, CLASSES_ONE, COLORS, EXTRA_MASKS, EXTRAS, LOW_EXTRAS,
+                          LOW_NORMALS, LOW_TANGENTS, LOW_UVS, NORMALS, TANGENTS, UV_0)
 from refused import demand
 from slope import RingSlope
 
@@ -71,6 +72,7 @@ class AttributeReader:
         self.layout, self.parameters = split.hierarchy.layout, split.page.parameters
         self.parent = wedge_class.wedge.record
         self.c = split.hierarchy.info.octahedron
+        self.ring_records = []
         self.slope = self.ring_slope() if split.predicts_attributes else None
 
     def ring_slope(self):
@@ -80,8 +82,14 @@ class AttributeReader:
         self.ring_records = [split.hierarchy.wedges[wedge].record for _, wedge in neighbours]
         return RingSlope(split.node.position, positions, split.extent, split.d)
 
-    def predicted(self, strength, differences):
-        return predicted(strength, *self.slope.of(differences)) if self.slope else 0
+    def difference(self, kind, row, bias, strength, steps, greatest):
+        """Two entries of D: `steps` are the neighbours' pairs less the parent's, none where nothing is predicted."""
+        spread = max(map(largest, steps)) if steps else greatest >> 3
+        d = [self.page.split_value(kind, high, low_bits(spread, bias)) for high in row]
+        if steps:
+            d = [value + predicted(strength, *self.slope.of([step[axis] for step in steps]))
+                 for axis, value in enumerate(d)]
+        return d
 
     def read(self):
         target = self.target
@@ -120,25 +128,22 @@ class AttributeReader:
         chart = Chart(self.parent[self.layout.normal], self.c)
         geometry = self.geometry(chart)
         row = self.page.streams[NORMALS].row()
-        d = self.chart_difference(chart, self.layout.normal, row, self.parameters.normal_shift,
+        d = self.chart_difference(LOW_NORMALS, chart, self.layout.normal, row, self.parameters.normal_bias,
                                   self.parameters.normal_gradient)
         d = [value + (self.parameters.normal_geometry * change >> 4) for value, change in zip(d, geometry)]
         return self.unfolded(chart, self.layout.normal, d)
 
     def read_tangent(self, row):
         chart = Chart(self.parent[self.layout.tangent], self.c)
-        d = self.chart_difference(chart, self.layout.tangent, row[:2], self.parameters.tangent_shift,
+        d = self.chart_difference(LOW_TANGENTS, chart, self.layout.tangent, row[:2], self.parameters.tangent_bias,
                                   self.parameters.tangent_gradient)
         return self.unfolded(chart, self.layout.tangent, d)
 
-    def chart_difference(self, chart, entries, row, shift, strength):
+    def chart_difference(self, kind, chart, entries, row, bias, strength):
         """D of a normal or tangent in the parent's chart."""
-        d = [self.page.split_value(high, shift) for high in row]
-        if not self.slope:
-            return d
         parent = chart.enter(self.parent[entries])
-        points = [minus(chart.enter(record[entries]), parent) for record in self.ring_records]
-        return [value + self.predicted(strength, [point[axis] for point in points]) for axis, value in enumerate(d)]
+        steps = [minus(chart.enter(record[entries]), parent) for record in self.ring_records]
+        return self.difference(kind, row, bias, strength, steps, 2 * self.c)
 
     def unfolded(self, chart, entries, d):
         """The points of A and B in the file's square."""
@@ -180,12 +185,9 @@ class AttributeReader:
         return normal
 
     def read_uv(self, uv_set, entries):
-        low = low_bits(largest(self.split.d), self.parameters.uv_bias[uv_set])
-        d = [self.page.split_value(high, low) for high in self.page.streams[UV_0 + uv_set].row()]
-        if self.slope:
-            steps = [minus(record[entries], self.parent[entries]) for record in self.ring_records]
-            d = [value + self.predicted(self.parameters.uv_gradient[uv_set], [step[axis] for step in steps])
-                 for axis, value in enumerate(d)]
+        steps = [minus(record[entries], self.parent[entries]) for record in self.ring_records]
+        d = self.difference(LOW_UVS, self.page.streams[UV_0 + uv_set].row(), self.parameters.uv_bias[uv_set],
+                            self.parameters.uv_gradient[uv_set], steps, self.split.hierarchy.info.uv_greatest)
         return self.moved(self.parent[entries], d)
 
     # Further wedges
@@ -208,5 +210,5 @@ class AttributeReader:
             if mask >> bit & 1:
                 indices = range(*entries.indices(self.layout.length))
                 for index, bits in zip(indices, low):
-                    record[index] += self.page.split_value(self.page.streams[EXTRAS].value(), bits)
+                    record[index] += self.page.split_value(LOW_EXTRAS, self.page.streams[EXTRAS].value(), bits)
         return record

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 """Page 0: the base, node by node, wedge by wedge, face by face (docs/format.md, section Streams, Base page)."""
-from page_streams import FACES, INFLUENCES, NODES, WEDGES
+from page_streams import (FACES, INFLUENCES, LOW_EXTRAS, LOW_NORMALS, LOW_POSITIONS, LOW_TANGENTS, LOW_UVS, NODES,
+                          WEDGES)
 from refused import demand
 
 
@@ -11,7 +12,7 @@ def read_nodes(page, hierarchy, node_count):
     position, sizes = [0, 0, 0], []
     for _ in range(node_count):
         row = page.streams[NODES].row()
-        position = [value + page.split_value(high, bias) for value, high in zip(position, row[:3])]
+        position = [value + page.split_value(LOW_POSITIONS, high, bias) for value, high in zip(position, row[:3])]
         hierarchy.add_node(position, [], 67)
         sizes.append((row[3] + 1, row[4] + 1))
     return sizes
@@ -30,12 +31,12 @@ def read_skins(page, hierarchy, sizes):
 
 
 def low_bits_of_record(page, layout):
-    """How many low bits each entry of a record has."""
-    low = [0] * layout.length
-    low[layout.normal] = [page.parameters.normal_shift] * (layout.normal.stop - layout.normal.start)
-    low[layout.tangent] = [page.parameters.tangent_shift] * (layout.tangent.stop - layout.tangent.start)
+    """Of each entry of a record the kind and the number of its low bits."""
+    low = [(LOW_EXTRAS, 0)] * layout.length
+    low[layout.normal] = [(LOW_NORMALS, page.parameters.normal_bias)] * (layout.normal.stop - layout.normal.start)
+    low[layout.tangent] = [(LOW_TANGENTS, page.parameters.tangent_bias)] * (layout.tangent.stop - layout.tangent.start)
     for uv, bias in zip(layout.uvs, page.parameters.uv_bias):
-        low[uv] = [bias] * 2
+        low[uv] = [(LOW_UVS, bias)] * 2
     return low
 
 
@@ -47,7 +48,8 @@ def read_wedges(page, hierarchy, sizes, wedge_count):
         first = len(hierarchy.wedges)
         for _ in range(wedges):
             part, *differences = page.streams[WEDGES].row()
-            record = [value + page.split_value(high, bits) for value, high, bits in zip(record, differences, low)]
+            record = [value + page.split_value(kind, high, bits)
+                      for value, high, (kind, bits) in zip(record, differences, low)]
             hierarchy.add_wedge(index, part, record)
         hierarchy.nodes[index].wedges = range(first, len(hierarchy.wedges))
 

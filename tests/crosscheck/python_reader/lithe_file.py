@@ -34,6 +34,7 @@ class Info:
         self.has_normals, self.has_tangents = bool(attributes & 1), bool(attributes & 2)
         self.one = (1 << self.weight_bits) - 1
         self.octahedron = (1 << (self.normal_bits - 1)) - 1
+        self.uv_greatest = (1 << self.uv_bits) - 1
         self.grid_size = 1 << self.position_bits
 
     def check(self, attributes):

@@ -13,6 +13,7 @@ NODES, INFLUENCES, WEDGES, FACES = range(4)
  CLASSES_ONE, CLASSES_NONE, CLASS_PICKS, CLASS_CHOICES, MEMBER_PICKS, MEMBER_CHOICES, THIRD_PICKS, THIRD_CHOICES,
  NORMALS, TANGENTS, COLORS, SKIN_D, SKIN_E, SKIN_NEW, EXTRA_MASKS, EXTRAS, UV_0) = range(30)
 MAX_LISTED_JOINTS = 24
+LOW_POSITIONS, LOW_NORMALS, LOW_TANGENTS, LOW_UVS, LOW_SKINS, LOW_EXTRAS, LOW_KINDS = range(7)
 MAX_LEVELS = 64
 MAX_RECORDS = 1 << 24
 
@@ -22,8 +23,8 @@ class Parameters:
 
     def __init__(self, data, info, kind):
         (self.position_mean, self.position_bias, self.height_bias, self.placement, self.normal_gradient,
-         self.normal_geometry, self.normal_shift, self.tangent_gradient, self.tangent_shift, self.skin_gradient,
-         self.skin_shift) = data[:11]
+         self.normal_geometry, self.normal_bias, self.tangent_gradient, self.tangent_bias, self.skin_gradient,
+         self.skin_bias) = data[:11]
         self.uv_gradient, self.uv_bias = data[11:19], data[19:27]
         self.strengths = [self.position_mean, self.placement, self.normal_gradient, self.normal_geometry,
                           self.tangent_gradient, self.skin_gradient, *self.uv_gradient]
@@ -33,22 +34,22 @@ class Parameters:
             self.check_base()
 
     def check_ranges(self):
-        biases = [self.position_bias, self.height_bias, *self.uv_bias]
-        shifts = [self.normal_shift, self.tangent_shift, self.skin_shift]
-        sound = max(self.strengths) <= 32 and max(biases) <= 31 and max(shifts) <= 15
-        demand(sound, 63, "a parameter is out of its range")
+        biases = [self.position_bias, self.height_bias, self.normal_bias, self.tangent_bias, self.skin_bias,
+                  *self.uv_bias]
+        demand(max(self.strengths) <= 32 and max(biases) <= 31, 63, "a parameter is out of its range")
 
     def check_absent(self, info):
         absent = [*self.uv_gradient[info.uv_sets :], *self.uv_bias[info.uv_sets :]]
         if not info.has_normals:
-            absent += [self.normal_gradient, self.normal_geometry, self.normal_shift]
+            absent += [self.normal_gradient, self.normal_geometry, self.normal_bias]
         if not info.has_tangents:
-            absent += [self.tangent_gradient, self.tangent_shift]
+            absent += [self.tangent_gradient, self.tangent_bias]
         demand(not any(absent), 63, "a parameter of an attribute that the asset lacks is not 0")
 
     def check_base(self):
-        demand(not any(self.strengths) and self.height_bias == 0 and self.skin_shift == 0, 63, "a base page predicts")
-        demand(max(self.position_bias, *self.uv_bias) <= 15, 63, "a parameter is out of its range")
+        demand(not any(self.strengths) and self.height_bias == 0 and self.skin_bias == 0, 63, "a base page predicts")
+        biases = self.position_bias, self.normal_bias, self.tangent_bias, *self.uv_bias
+        demand(max(biases) <= 15, 63, "a parameter is out of its range")
 
 
 def base_attributes(info):
@@ -180,35 +181,36 @@ class PageStreams:
         source.at = 1 + PARAMETER_BYTES
         attributes = base_attributes(info) if kind == BASE else split_attributes()
         limits = base_limits(info, page) if kind == BASE else split_limits(info, page, before, len(page.ending))
-        table, low_bytes = self.read_table(source, attributes, limits, page)
+        table, low_sizes = self.read_table(source, attributes, limits, page)
         self.streams = []
         for (records, size), columns in zip(table, attributes):
             self.streams.append(Stream(read_cloud(source.take(size, 64), records, columns) if records else []))
-        self.low = LowBits(source.take(low_bytes, 64))
+        self.low = [LowBits(source.take(size, 64)) for size in low_sizes]
         self.rest = source
 
     def read_table(self, source, attributes, limits, page):
-        """(records, bytes) of each stream, and how many bytes of low bits there are."""
+        """(records, bytes) of each stream, and the bytes of each kind of low bits."""
         table = []
         for limit in limits:
             records = source.varint(64)
             demand(records <= min(limit, MAX_RECORDS), 64, "a stream states more records than allowed")
             table.append((records, source.varint(64) if records else 0))
-        low_bytes = source.varint(64)
+        low_sizes = [source.varint(64) for _ in range(LOW_KINDS)]
         values = sum(records * components_of(columns) for (records, _), columns in zip(table, attributes))
         demand(values == page.values, 64, "the streams have another number of integers than the page table states")
-        stated = sum(size for _, size in table) + low_bytes
+        stated = sum(size for _, size in table) + sum(low_sizes)
         demand(stated <= len(source.data) - source.at, 64, "streams have more bytes than there are")
-        return table, low_bytes
+        return table, low_sizes
 
-    def split_value(self, high, low):
-        """`high` and, below it, a field of `low` bits (section Streams)."""
-        return high << low | self.low.field(low)
+    def split_value(self, kind, high, low):
+        """`high` and, below it, a field of `low` bits of this kind (section Streams)."""
+        return high << low | self.low[kind].field(low)
 
     def demand_end(self):
         for stream in self.streams:
             stream.demand_end()
-        self.low.demand_end()
+        for bits in self.low:
+            bits.demand_end()
 
     def hidden_faces(self, levels):
         """The hidden faces of the levels that end with this page, as sets; nothing may follow them."""

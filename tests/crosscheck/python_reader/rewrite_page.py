@@ -41,7 +41,8 @@ class OpenPage:
         self.attributes = split_attributes() if index else base_attributes(info)
         self.rows = [[list(row) for row in stream.rows] for stream in streams.streams]
         end = streams.rest.at
-        self.low, self.tail = self.data[end - streams.low.size : end], self.data[end:]
+        self.low_sizes = [bits.size for bits in streams.low]
+        self.low, self.tail = self.data[end - sum(self.low_sizes) : end], self.data[end:]
 
     def is_signed(self, stream, place):
         kinds = [signed for components, signed in self.attributes[stream] for _ in range(components)]
@@ -52,7 +53,7 @@ class OpenPage:
         table = b"".join(varint(len(rows)) + (varint(len(stream)) if rows else b"")
                          for rows, stream in zip(self.rows, coded))
         fixed = self.data[: 1 + PARAMETER_BYTES]
-        return fixed + table + varint(len(self.low)) + b"".join(coded) + self.low + self.tail
+        return fixed + table + b"".join(map(varint, self.low_sizes)) + b"".join(coded) + self.low + self.tail
 
     def change(self, source):
         """Gives a value of some stream another one, near or far; returns what was done."""

@@ -1,11 +1,21 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 """The skins of a split's children (docs/format.md, section 4.6)."""
-from integers import between, predicted
-from page_streams import MAX_LISTED_JOINTS, SKIN_D, SKIN_E, SKIN_NEW
+from integers import between, low_bits, predicted
+from page_streams import LOW_SKINS, MAX_LISTED_JOINTS, SKIN_D, SKIN_E, SKIN_NEW
 from refused import demand
 
 UNCHANGED, _, FREE = range(3)
+
+
+def joints_around(split, known):
+    """The ring's joints that the node lacks, the heaviest first; at most 24, the first that are met."""
+    greatest = {}
+    for node in split.ordered_nodes if split.predicts_skins else ():
+        for joint, weight in split.hierarchy.nodes[node].skin:
+            if joint not in known and (joint in greatest or len(greatest) < MAX_LISTED_JOINTS):
+                greatest[joint] = max(weight, greatest.get(joint, 0))
+    return sorted(greatest, key=lambda joint: (-greatest[joint], joint))
 
 
 def read_joints(page, split):
@@ -13,20 +23,23 @@ def read_joints(page, split):
     joints = [joint for joint, _ in split.node.skin]
     count = page.streams[SKIN_NEW].value()
     demand(len(joints) + count <= MAX_LISTED_JOINTS, 79, "too many joints are listed")
+    around = joints_around(split, set(joints)) if count else []
     for _ in range(count):
-        joint = page.streams[SKIN_NEW].value()
+        value = page.streams[SKIN_NEW].value()
+        joint = around[value] if value < len(around) else value - len(around)
         demand(joint < split.hierarchy.joint_count and joint not in joints, 79, "a new joint is invalid")
         joints.append(joint)
     return joints
 
 
-def prediction_of(page, split, joint, weight):
-    """What the ring's weights let expect of a joint's D."""
-    if not split.predicts_skins:
-        return 0
-    skins = [dict(split.hierarchy.nodes[node].skin) for node in split.ring_nodes]
-    differences = [skin.get(joint, 0) - weight for skin in skins]
-    return predicted(page.parameters.skin_gradient, *split.skin_slope().of(differences))
+def read_difference(page, split, joint, weight):
+    """A joint's D, with what the ring's weights let expect of it."""
+    skins = [dict(split.hierarchy.nodes[node].skin) for node in split.ring_nodes] if split.predicts_skins else []
+    steps = [skin.get(joint, 0) - weight for skin in skins]
+    spread = max(map(abs, steps)) if steps else split.hierarchy.info.one >> 3
+    low = low_bits(spread, page.parameters.skin_bias)
+    d = page.split_value(LOW_SKINS, page.streams[SKIN_D].value(), low)
+    return d + predicted(page.parameters.skin_gradient, *split.skin_slope().of(steps)) if steps else d
 
 
 def sorted_skin(joints, weights):
@@ -43,8 +56,7 @@ def split_skin(page, split, mode):
     parent = [dict(split.node.skin).get(joint, 0) for joint in joints]
     d, b = [], []
     for joint, weight in zip(joints[:-1], parent):
-        high = page.streams[SKIN_D].value()
-        d.append(page.split_value(high, page.parameters.skin_shift) + prediction_of(page, split, joint, weight))
+        d.append(read_difference(page, split, joint, weight))
         if mode == FREE:
             b.append(weight + page.streams[SKIN_E].value())
     d.append(-sum(d))

@@ -3,7 +3,7 @@
 """One split: sides of its fan, positions of its children, new faces (docs/format.md, sections 4.1 to 4.3)."""
 from attribute_split import split_wedges
 from integers import between, cross, from_plane, largest, low_bits, main_axis, minus, plus, predicted
-from page_streams import CUT_3, CUT_9, CUT_OPEN, GENERAL, SPLIT
+from page_streams import CUT_3, CUT_9, CUT_OPEN, GENERAL, LOW_POSITIONS, SPLIT
 from picks import Picks
 from placement import Placement, eighth_of_rank
 from refused import demand
@@ -33,6 +33,8 @@ class Split:
         size = max(len(self.fan.spokes), len(self.node.wedges))
         demand(size <= entry.max_fan, 81, "a node's fan or wedges exceed max_fan")
         self.ring_nodes = [node for spoke in self.fan.spokes for node, _ in spoke.neighbours()]
+        in_order = [self.fan.spokes[at] for at in self.fan.order] or self.fan.spokes
+        self.ordered_nodes = [node for spoke in in_order for node, _ in spoke.neighbours()]
         self.ring_positions = [hierarchy.nodes[node].position for node in self.ring_nodes]
         self.extent = self.measure_extent()
         self.predicts_skins = len(self.fan.spokes) <= MAX_RING
@@ -168,8 +170,9 @@ class Split:
     def read_d(self, position):
         parameters, page = self.page.parameters, self.page
         edge = self.mean_edge()
-        in_plane = [page.split_value(high, low_bits(edge, parameters.position_bias)) for high in position[:2]]
-        height = page.split_value(position[2], low_bits(edge, parameters.height_bias))
+        in_plane = [page.split_value(LOW_POSITIONS, high, low_bits(edge, parameters.position_bias))
+                    for high in position[:2]]
+        height = page.split_value(LOW_POSITIONS, position[2], low_bits(edge, parameters.height_bias))
         demand(largest(in_plane) < 1 << 18, 73, "R is too large")
         (sum_a, count_a), (sum_b, count_b) = self.side_sums(A), self.side_sums(B)
         prediction = [predicted(parameters.position_mean, a * count_b - b * count_a, count_a * count_b)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 /// A page's payload: what the writer and the reader must agree on to the bit. docs/format.md is the specification.
 ///
-///     kind (1 byte) | parameters (kParameterBytes) | stream table (2 varints per stream) | streams | low bits | hidden
+///     kind (1 byte) | parameters (kParameterBytes) | table (varints) | streams | low bits of each kind | hidden
 ///
 /// A *stream* is a Draco point cloud of `records` points with one or more integer attributes, without the beginning
 /// that says so; or nothing (records 0).
@@ -62,6 +62,9 @@ enum SplitStream : uint32_t {
   kUv0,            ///< per united wedge: high parts x y; one stream per uv set
   kSplitStreamCount = kUv0 + 8
 };
+
+/// What low bits belong to. Each kind has its own bytes, so that what a kind takes is known without decoding.
+enum LowBits : uint32_t { kLowPositions, kLowNormals, kLowTangents, kLowUvs, kLowSkins, kLowExtras, kLowBitsKinds };
 
 /// The attributes of kSplits.
 enum SplitAttribute : uint32_t {
@@ -142,13 +145,13 @@ enum Parameter : uint32_t {
   kPlacement,        ///< prediction of the lattice indices: sixteenths of what the children's planes say [0, 32]
   kNormalGradient,   ///< prediction of normals: sixteenths of the slope over the ring [0, 32]
   kNormalGeometry,   ///< and of the difference of the children's area normals [0, 32]
-  kNormalShift,      ///< low bits of a normal's residual [0, 15]
+  kNormalBias,       ///< low bits of a normal's residual = max(0, bit length of the ring's spread - bias) [0, 31]
   kTangentGradient,  ///< as for normals
-  kTangentShift,
+  kTangentBias,
   kSkinGradient,                ///< prediction of weights: sixteenths of the slope over the ring [0, 32]
-  kSkinShift,                   ///< low bits of a weight's residual [0, 15]
+  kSkinBias,                    ///< as for normals
   kUvGradient0,                 ///< prediction of uvs; one byte per uv set
-  kUvBias0 = kUvGradient0 + 8,  ///< low bits of a uv residual = max(0, bit length of |D| - bias) [0, 31]; one per set
+  kUvBias0 = kUvGradient0 + 8,  ///< as for normals; one per set. Of a base page biases are numbers of low bits [0, 15]
   kParameterBytes = kUvBias0 + 8
 };
 

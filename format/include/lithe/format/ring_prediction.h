@@ -11,6 +11,26 @@
 
 namespace lithe::format {
 
+/// How much a ring's attribute differs from the parent's: what the size of the children's difference goes by.
+struct Spread {
+  uint32_t spread = 0;  ///< the greatest difference; 0 without neighbours
+
+  constexpr void widen(int32_t e) {
+    const uint32_t size = static_cast<uint32_t>(absolute(e));
+    if (size > spread) spread = size;
+  }
+  /// Without neighbours, of an attribute of 0 .. greatest, an eighth of that.
+  constexpr uint32_t among(uint32_t neighbour_count, uint32_t greatest) const {
+    return neighbour_count > 0 ? spread : greatest / 8;
+  }
+};
+struct RingSlope : Spread {
+  Slope slope;
+};
+struct PairSlope : Spread {
+  Slope x, y;
+};
+
 /// The wedges at the next and previous corners of a fan's faces, and the slope that they give.
 struct RingNeighbours {
   uint32_t count = 0;
@@ -18,24 +38,68 @@ struct RingNeighbours {
   Int3 r[2 * kMaxRing];  ///< relative to the split node, shifted; twice that for a wedge that is at two corners
   Gradient gradient;
 
-  /// Of an attribute: value(wedge) is the neighbour's less the parent's. Nothing is known without neighbours.
+  /// Of an attribute: value(wedge) is the neighbour's less the parent's.
   template <class Value>
-  Slope slopeOf(const Value& value) const {
+  RingSlope slopeOf(const Value& value) const {
+    RingSlope ring;
     Moment moment;
-    for (uint32_t i = 0; i < count; ++i) moment.add(r[i], value(wedge[i]));
-    return gradient.of(moment);
+    for (uint32_t i = 0; i < count; ++i) {
+      const int32_t e = value(wedge[i]);
+      moment.add(r[i], e);
+      ring.widen(e);
+    }
+    ring.slope = gradient.of(moment);
+    return ring;
   }
 
   /// Of a pair of attributes: point(wedge) is the neighbour's, the parent's is `parent`.
   template <class Point>
-  void slopesOf(const Point& point, Int2 parent, Slope slope[2]) const {
-    Moment moment[2];
+  PairSlope slopesOf(const Point& point, Int2 parent) const {
+    PairSlope ring;
+    Moment x, y;
     for (uint32_t i = 0; i < count; ++i) {
-      const Int2 p = point(wedge[i]);
-      moment[0].add(r[i], p.x - parent.x);
-      moment[1].add(r[i], p.y - parent.y);
+      const Int2 p = point(wedge[i]), e{p.x - parent.x, p.y - parent.y};
+      x.add(r[i], e.x);
+      y.add(r[i], e.y);
+      ring.widen(e.x);
+      ring.widen(e.y);
     }
-    for (uint32_t c = 0; c < 2; ++c) slope[c] = gradient.of(moment[c]);
+    ring.x = gradient.of(x);
+    ring.y = gradient.of(y);
+    return ring;
+  }
+};
+
+/// The neighbours' joints that a split node lacks, by their greatest weight: at most kMaxSkinJoints, the first that are
+/// met.
+struct RingJoints {
+  uint32_t count = 0;
+  uint32_t joint[kMaxSkinJoints];
+  uint32_t weight[kMaxSkinJoints];  ///< the greatest among the neighbours
+
+  void add(uint32_t of_joint, uint32_t of_weight) {
+    uint32_t at = 0;
+    while (at < count && joint[at] != of_joint) ++at;
+    if (at == kMaxSkinJoints) return;
+    if (at == count) {
+      joint[count] = of_joint;
+      weight[count++] = 0;
+    }
+    if (weight[at] < of_weight) weight[at] = of_weight;
+  }
+
+  /// The heaviest first, of equal ones the lowest id.
+  void sort() {
+    for (uint32_t i = 1; i < count; ++i) {
+      const uint32_t j = joint[i], w = weight[i];
+      uint32_t at = i;
+      for (; at > 0 && (weight[at - 1] < w || (weight[at - 1] == w && joint[at - 1] > j)); --at) {
+        joint[at] = joint[at - 1];
+        weight[at] = weight[at - 1];
+      }
+      joint[at] = j;
+      weight[at] = w;
+    }
   }
 };
 

@@ -26,7 +26,8 @@ PageData numberedPage(format::PageKind kind, uint64_t seed) {
       for (uint32_t i = 0; i < records * attribute.spec.components; ++i)
         attribute.values.push_back(attribute.spec.is_unsigned ? random.between(0, 900) : random.between(-500, 500));
   }
-  for (uint32_t i = 0; i < 37; ++i) page.low_bits.push_back(static_cast<uint8_t>(random.below(256)));
+  for (uint32_t k = 1; k < format::kLowBitsKinds; ++k)
+    for (uint32_t i = 0; i < 150 * k; ++i) page.low_bits[k].push_back(static_cast<uint8_t>(random.below(256)));
   page.hidden = {{0, 5, 133, 134, 20000}, {}, {70000}};
   return page;
 }
@@ -65,7 +66,7 @@ TEST_P(PageStreams, ReportedBytesAddUpToThePage) {
   ASSERT_EQ(bytes.streams.size(), page.streams.size());
   EXPECT_EQ(std::accumulate(bytes.streams.begin(), bytes.streams.end(), size_t{0}) + bytes.low_bits + bytes.overhead,
             size);
-  EXPECT_EQ(bytes.low_bits, page.low_bits.size());
+  EXPECT_EQ(bytes.low_bits, 150u * (1 + 2 + 3 + 4 + 5));
   for (size_t s = 0; s < page.streams.size(); ++s) EXPECT_EQ(bytes.streams[s] > 0, page.streams[s].records() > 0) << s;
 }
 
@@ -76,7 +77,8 @@ TEST(PageStreamsEmpty, OnlyTheFixedPartIsLeft) {
   PageBytes bytes;
   const std::vector<uint8_t> written = writePage(makePage(format::kBasePage, kHas), &bytes);
   // kind, parameters, a zero per stream, no low bits
-  EXPECT_EQ(written, std::vector<uint8_t>(1 + format::kParameterBytes + format::kBaseStreamCount + 1, 0));
+  EXPECT_EQ(written,
+            std::vector<uint8_t>(1 + format::kParameterBytes + format::kBaseStreamCount + format::kLowBitsKinds, 0));
   EXPECT_EQ(bytes.overhead, written.size());
 }
 

@@ -63,6 +63,23 @@ uint32_t streamOf(const Residual& r) {
   }
 }
 
+format::LowBits lowBitsOf(const Residual& r) {
+  switch (r.kind) {
+    case Kind::kNormal:
+      return format::kLowNormals;
+    case Kind::kTangent:
+      return format::kLowTangents;
+    case Kind::kUv:
+      return format::kLowUvs;
+    case Kind::kSkin:
+      return format::kLowSkins;
+    case Kind::kExtra:
+      return format::kLowExtras;
+    default:
+      return format::kLowPositions;
+  }
+}
+
 /// What a page's parameters say of a residual (docs/format.md, 4.3, 4.4 and 4.6).
 struct Rule {
   int32_t low, slope = 0, geometry = 0;
@@ -76,11 +93,12 @@ Rule ruleOf(const PageData& page, const Residual& r) {
     case Kind::kLattice:
       return {0, p[format::kPlacement]};
     case Kind::kNormal:
-      return {p[format::kNormalShift], p[format::kNormalGradient], p[format::kNormalGeometry]};
+      return {format::lowBits(r.extent, p[format::kNormalBias]), p[format::kNormalGradient],
+              p[format::kNormalGeometry]};
     case Kind::kTangent:
-      return {p[format::kTangentShift], p[format::kTangentGradient]};
+      return {format::lowBits(r.extent, p[format::kTangentBias]), p[format::kTangentGradient]};
     case Kind::kSkin:
-      return {p[format::kSkinShift], p[format::kSkinGradient]};
+      return {format::lowBits(r.extent, p[format::kSkinBias]), p[format::kSkinGradient]};
     case Kind::kUv:
       return {format::lowBits(r.extent, p[format::kUvBias0 + r.set]), p[format::kUvGradient0 + r.set]};
     default:
@@ -91,7 +109,9 @@ Rule ruleOf(const PageData& page, const Residual& r) {
 /// Streams, low bits and parameters read back with the rules of the specification.
 class ResidualReader {
  public:
-  explicit ResidualReader(const PageData& page) : page_(page), low_bits_(page.low_bits) {}
+  explicit ResidualReader(const PageData& page) : page_(page) {
+    for (const auto& bits : page.low_bits) low_bits_.emplace_back(bits);
+  }
 
   std::array<int32_t, 3> read(const Residual& r) {
     const Rule rule = ruleOf(page_, r);
@@ -100,7 +120,8 @@ class ResidualReader {
       value = readPosition(r, rule.low);
     else
       for (uint32_t c = 0; c < r.components; ++c)
-        value[c] = next(streamOf(r), r.kind == Kind::kLattice ? uint32_t{format::kSplitLattice} : 0u, rule.low);
+        value[c] =
+            next(streamOf(r), r.kind == Kind::kLattice ? uint32_t{format::kSplitLattice} : 0u, lowBitsOf(r), rule.low);
     for (uint32_t c = 0; c < r.components; ++c) {
       const double exact = r.slope[c].den > 0 ? rule.slope * static_cast<double>(r.slope[c].num) /
                                                     (16.0 * static_cast<double>(r.slope[c].den))
@@ -113,12 +134,14 @@ class ResidualReader {
     return value;
   }
 
-  bool atEnd() { return low_bits_.atEnd(); }
+  bool atEnd() {
+    return std::all_of(low_bits_.begin(), low_bits_.end(), [](test::BitReader& bits) { return bits.atEnd(); });
+  }
 
  private:
-  int32_t next(uint32_t stream, uint32_t attribute, int32_t low) {
+  int32_t next(uint32_t stream, uint32_t attribute, format::LowBits kind, int32_t low) {
     const int32_t high = page_.streams[stream].attributes[attribute].values.at(at_[{stream, attribute}]++);
-    return high * (1 << low) + static_cast<int32_t>(low_bits_.read(low));
+    return high * (1 << low) + static_cast<int32_t>(low_bits_[kind].read(low));
   }
 
   /// Two components across the normal's longest axis, then the height over the plane.
@@ -128,10 +151,10 @@ class ResidualReader {
       if (std::abs(r.normal[c]) > std::abs(r.normal[m])) m = c;
     const size_t a = m == 0 ? 1 : 0, b = m == 2 ? 1 : 2;
     std::array<int32_t, 3> value{};
-    value[a] = next(format::kSplits, format::kSplitPosition, low);
-    value[b] = next(format::kSplits, format::kSplitPosition, low);
+    value[a] = next(format::kSplits, format::kSplitPosition, format::kLowPositions, low);
+    value[b] = next(format::kSplits, format::kSplitPosition, format::kLowPositions, low);
     const int32_t low_height = format::lowBits(r.extent, page_.parameters[format::kHeightBias]);
-    value[m] = next(format::kSplits, format::kSplitPositionHeight, low_height);
+    value[m] = next(format::kSplits, format::kSplitPositionHeight, format::kLowPositions, low_height);
     if (r.normal[m] != 0)
       value[m] -= static_cast<int32_t>(std::floor(static_cast<double>(r.normal[a] * value[a] + r.normal[b] * value[b]) /
                                                   static_cast<double>(r.normal[m])));
@@ -139,7 +162,7 @@ class ResidualReader {
   }
 
   const PageData& page_;
-  test::BitReader low_bits_;
+  std::vector<test::BitReader> low_bits_;  ///< per kind
   std::map<std::pair<uint32_t, uint32_t>, size_t> at_;
 };
 
@@ -178,11 +201,10 @@ TEST(Residuals, ParametersStayInTheirRanges) {
                      uint32_t{format::kNormalGeometry}, uint32_t{format::kTangentGradient},
                      uint32_t{format::kSkinGradient}, format::kUvGradient0 + 1u})
     EXPECT_LE(page.parameters[i], 32) << i;
-  for (uint32_t i : {uint32_t{format::kPositionBias}, uint32_t{format::kHeightBias}, uint32_t{format::kUvBias0},
-                     format::kUvBias0 + 1u})
+  for (uint32_t i :
+       {uint32_t{format::kPositionBias}, uint32_t{format::kHeightBias}, uint32_t{format::kNormalBias},
+        uint32_t{format::kTangentBias}, uint32_t{format::kSkinBias}, uint32_t{format::kUvBias0}, format::kUvBias0 + 1u})
     EXPECT_LE(page.parameters[i], 31) << i;
-  for (uint32_t i : {uint32_t{format::kNormalShift}, uint32_t{format::kTangentShift}, uint32_t{format::kSkinShift}})
-    EXPECT_LE(page.parameters[i], 15) << i;
 }
 
 TEST(Residuals, AbsentAttributesLeaveTheirParametersZero) {
@@ -215,7 +237,7 @@ TEST(Residuals, AFittingSlopeIsFound) {
   EXPECT_EQ(page.parameters[format::kPositionMean], 8);
   for (uint32_t attribute : {format::kSplitPosition, format::kSplitPositionHeight})
     for (int32_t value : page.streams[format::kSplits].attributes[attribute].values) ASSERT_EQ(value, 0);
-  EXPECT_TRUE(page.low_bits.empty());
+  for (const auto& bits : page.low_bits) EXPECT_TRUE(bits.empty());
 }
 
 TEST(Residuals, AFittingGeometryIsFound) {

@@ -24,10 +24,13 @@ struct Children {
   QuantizedSkin a, b;
 };
 
+/// Without neighbours an eighth of the greatest weight counts as the ring's spread.
+int32_t lowOf(const PageData& page) { return format::lowBits(kOne / 8, page.parameters[format::kSkinBias]); }
+
 /// Reads streams from the front.
 class SkinReader {
  public:
-  explicit SkinReader(const PageData& page) : page_(page), low_bits_(page.low_bits) {}
+  explicit SkinReader(const PageData& page) : page_(page), low_bits_(page.low_bits[format::kLowSkins]) {}
 
   Children read(const QuantizedSkin& parent, int32_t t8) {
     const int32_t mode = page_.streams[format::kSplits].attributes[format::kSplitSkin].values.at(modes_++);
@@ -64,7 +67,7 @@ class SkinReader {
  private:
   int32_t next(uint32_t stream, size_t& at) { return page_.streams[stream].attributes[0].values.at(at++); }
   int32_t nextDifference() {
-    const int32_t low = page_.parameters[format::kSkinShift];
+    const int32_t low = lowOf(page_);
     return next(format::kSkinD, ds_) * (1 << low) + static_cast<int32_t>(low_bits_.read(low));
   }
   size_t count(uint32_t stream) const { return page_.streams[stream].attributes[0].values.size(); }
@@ -107,9 +110,9 @@ void encodeAlone(const QuantizedSkin& parent, const QuantizedSkin& a, const Quan
 
 /// A difference with the low bits that its page has.
 std::vector<int32_t> differences(const PageData& page) {
-  test::BitReader low_bits(page.low_bits);
+  test::BitReader low_bits(page.low_bits[format::kLowSkins]);
   std::vector<int32_t> values = valuesOf(page, format::kSkinD);
-  const int32_t low = page.parameters[format::kSkinShift];
+  const int32_t low = lowOf(page);
   for (int32_t& value : values) value = value * (1 << low) + static_cast<int32_t>(low_bits.read(low));
   return values;
 }
@@ -154,6 +157,20 @@ TEST(SkinCode, JointsThatTheParentLacksAreNamedInAscendingOrder) {
   PageData page = emptyPage();
   encodeAlone(parent, a, b, 0, page);
   EXPECT_EQ(valuesOf(page, format::kSkinNew), (std::vector<int32_t>{2, 5, 9}));
+}
+
+TEST(SkinCode, JointsOfTheRingAreNamedByTheirPlaceThere) {
+  const QuantizedSkin around[] = {skinOf({{9, 200}, {2, 55}}), skinOf({{5, 128}, {7, 127}}), skinOf({{7, 255}})};
+  format::RingNeighbours neighbours;
+  for (uint32_t i = 0; i < 3; ++i) neighbours.wedge[i] = i, neighbours.r[i] = {1, 2, 3};
+  neighbours.count = 3;
+  const SkinRing ring{neighbours, [&](uint32_t wedge) -> const QuantizedSkin& { return around[wedge]; }};
+  const QuantizedSkin a = skinOf({{9, 128}, {4, 127}}), b = skinOf({{5, 255}}), parent = skinOf({{2, 255}});
+  PageData page = emptyPage();
+  Residuals residuals;
+  encodeSkins(parent, a, b, 0, kOne, ring, page, residuals);
+  // By their greatest weight 7, 9 and 5 stand at 0, 1 and 2; joint 4 is not among them and comes as 3 + 4.
+  EXPECT_EQ(valuesOf(page, format::kSkinNew), (std::vector<int32_t>{3, 1, 2, 7}));
 }
 
 TEST(SkinCode, OneJointInAllCostsNoNumbers) {
