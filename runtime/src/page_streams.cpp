@@ -97,14 +97,17 @@ bool parametersValid(const PageFormat& format, const uint8_t* parameters, bool b
   if (format.has.normals) {
     most[format::kNormalGradient] = most[format::kNormalGeometry] = strength;
     most[format::kNormalBias] = bias;
+    most[format::kExtraNormalShift] = base ? 0 : format::kLowBitsMax;
   }
   if (format.has.tangents) {
     most[format::kTangentGradient] = strength;
     most[format::kTangentBias] = bias;
+    most[format::kExtraTangentShift] = base ? 0 : format::kLowBitsMax;
   }
   for (uint32_t s = 0; s < format.has.uv_sets; ++s) {
     most[format::kUvGradient0 + s] = strength;
     most[format::kUvBias0 + s] = bias;
+    most[format::kExtraUvShift] = base ? 0 : format::kLowBitsMax;
   }
   for (uint32_t i = 0; i < format::kParameterBytes; ++i)
     if (parameters[i] > most[i]) return false;

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "further_decoder.h"
 #include "lithe/format/file.h"
 #include "lithe/format/octahedral_chart.h"
 #include "page_base.h"
@@ -65,9 +66,9 @@ uint32_t SplitDecoder::splitNode(uint32_t node) {
   uint32_t check = listed_ ? readList() : readRing(mode);
   if (check == 0) check = placeChildren(node, t8_rank);
   if (check == 0) check = readClasses(node);
-  if (check == 0) check = readAttributes(node, t8_);
   if (check == 0) check = moveFan();
   if (check == 0) check = addFaces();
+  if (check == 0) check = readAttributes(node, t8_);
   if (check == 0) check = readSkins(node, skin_mode, t8_);
   return check;
 }
@@ -268,6 +269,7 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
   for (uint32_t i = 0; i < count; ++i) scratch_.classes[i] = {};
   for (uint32_t i = 0; i < fan_.count; ++i) scratch_.classes[classOf(i)].has_corners[scratch_.at_b[i]] = true;
   uint64_t total_a = 0, total_b = 0;
+  has_further_wedges_ = false;
   for (uint32_t i = 0; i < count; ++i) {
     WedgeClass& wedge_class = scratch_.classes[i];
     uint32_t &count_a = wedge_class.members[0].count, &count_b = wedge_class.members[1].count;
@@ -283,6 +285,7 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
       count_b = counts.b;
     }
     if (count_a == 0 && count_b == 0) return kCheckClasses;
+    has_further_wedges_ |= count_a > 1 || count_b > 1;
     total_a += count_a;
     total_b += count_b;
     if (total_a + total_b > plan_.wedge_count - out_->wedge_count) return kCheckClasses;
@@ -433,11 +436,10 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
     } else {
       memcpy(record(c.first[c.members[0].count > 0 ? 0 : 1]), parent, stride * sizeof(uint16_t));
     }
-    for (uint32_t side = 0; side < 2; ++side)
-      for (uint32_t m = 1; m < c.members[side].count; ++m)
-        if (!readExtra(record(c.first[side]), record(c.first[side] + m))) return kCheckWedge;
   }
-  return 0;
+  if (!has_further_wedges_) return 0;
+  FurtherDecoder further(format_, streams_, out_, greatest_, scratch_.classes, class_count_, first_parent_wedge_);
+  return failUnless(further.run(), kCheckWedge);
 }
 
 /// The records of a class's first wedges at either child.
@@ -493,21 +495,6 @@ bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const ui
   }
   for (uint32_t c = 0; c < 4 * format_.has.color_sets; ++c)
     if (!linear(streams_->values[format::kColors][0].next())) return false;
-  return true;
-}
-
-bool SplitDecoder::readExtra(const uint16_t* first, uint16_t* extra) {
-  const uint32_t mask = static_cast<uint32_t>(streams_->values[format::kExtraMasks][0].next());
-  if (mask >> 12) return false;
-  for (uint32_t v = 0; v < format_.layout.stride; ++v) {
-    const format::ExtraField field = format::extraField(format_.has, v);
-    extra[v] = first[v];
-    if (!(mask >> field.group & 1)) continue;
-    const int64_t value =
-        int64_t{first[v]} + residual(&streams_->values[format::kExtras][0], format::kLowExtras, field.low);
-    if (value < 0 || value > greatest_[v]) return false;
-    extra[v] = static_cast<uint16_t>(value);
-  }
   return true;
 }
 

@@ -9,18 +9,9 @@
 #include "lithe/format/ring_prediction.h"
 #include "page_streams.h"
 #include "skin_order.h"
+#include "wedge_class.h"
 
 namespace lithe::runtime {
-
-/// What the children of a split node get for one of its wedges; [0] is child A's, [1] child B's.
-struct WedgeClass {
-  uint32_t first[2];  ///< wedge at the child
-  format::Members members[2];
-  bool has_corners[2];  ///< of the fan
-
-  bool atBoth() const { return members[0].count > 0 && members[1].count > 0; }
-  bool lacksCorners() const { return members[0].lacksCorners() || members[1].lacksCorners(); }
-};
 
 /// Sums over the faces of one child before it has moved there.
 struct SideSum {
@@ -101,7 +92,6 @@ class SplitDecoder {
   uint32_t readSkins(uint32_t node, int32_t mode, int32_t t8);
   bool readJoints(const SkinRecord& parent, uint32_t* joints, uint32_t* count);
   format::RingJoints jointsAround(const uint32_t* known, uint32_t known_count) const;
-  bool readExtra(const uint16_t* first, uint16_t* extra);
   uint32_t readUnsigned(uint32_t stream) { return static_cast<uint32_t>(streams_->values[stream][0].next()); }
   bool childWedge(uint32_t wedge_class, bool at_b, format::MemberGuess guess, uint32_t* wedge);
   uint32_t classOf(uint32_t fan_entry) const { return scratch_.wedge[fan_entry] - first_parent_wedge_; }
@@ -131,6 +121,7 @@ class SplitDecoder {
 
   uint32_t first_parent_wedge_ = 0;
   uint32_t class_count_ = 0;
+  bool has_further_wedges_ = false;  ///< some class has several members at a child
 };
 
 }  // namespace lithe::runtime

@@ -118,10 +118,10 @@ TEST(PageCheck, N63_Parameters) {
   const struct {
     uint32_t parameter;
     uint8_t most;
-  } kRanges[] = {{kPositionMean, 32},   {kPositionBias, 31},   {kHeightBias, 31}, {kPlacement, 32},
-                 {kNormalGradient, 32}, {kNormalGeometry, 32}, {kNormalBias, 31}, {kTangentGradient, 32},
-                 {kTangentBias, 31},    {kSkinGradient, 32},   {kSkinBias, 31},   {kUvGradient0, 32},
-                 {kUvBias0 + 1, 31}};
+  } kRanges[] = {{kPositionMean, 32},   {kPositionBias, 31},     {kHeightBias, 31},        {kPlacement, 32},
+                 {kNormalGradient, 32}, {kNormalGeometry, 32},   {kNormalBias, 31},        {kTangentGradient, 32},
+                 {kTangentBias, 31},    {kSkinGradient, 32},     {kSkinBias, 31},          {kUvGradient0, 32},
+                 {kUvBias0 + 1, 31},    {kExtraNormalShift, 15}, {kExtraTangentShift, 15}, {kExtraUvShift, 15}};
   for (const auto& range : kRanges) {
     SCOPED_TRACE(range.parameter);
     expectRefusedAfter(richFile(), 1, 63, [&](PageEditor& e) { e.data.parameters[range.parameter] = range.most + 1; });
@@ -129,8 +129,8 @@ TEST(PageCheck, N63_Parameters) {
 }
 
 TEST(PageCheck, N63_ParametersOfMissingAttributes) {
-  for (const uint32_t parameter :
-       {uint32_t{kTangentGradient}, uint32_t{kTangentBias}, kUvGradient0 + 1, kUvBias0 + 1, kUvBias0 + 7}) {
+  for (const uint32_t parameter : {uint32_t{kTangentGradient}, uint32_t{kTangentBias}, uint32_t{kExtraTangentShift},
+                                   kUvGradient0 + 1, kUvBias0 + 1, kUvBias0 + 7}) {
     SCOPED_TRACE(parameter);
     expectRefusedAfter(torusFile(), 1, 63, [&](PageEditor& e) { e.data.parameters[parameter] = 1; });
   }
@@ -544,8 +544,8 @@ TEST(PageCheck, N77_FirstPlaceBeyondTheList) {
 }
 
 TEST(PageCheck, N77_ClassWithoutAWedgeAtItsCornersChild) {
-  // A class with corners at both children gets its wedges at one. Where its node's other child has none at all, or a
-  // further wedge's attributes are wrong, that is said first.
+  // A class with corners at both children gets its wedges at one. Where its node's other child has none at all that is
+  // said first.
   uint32_t refused = 0;
   for (uint32_t page = 1; page < pageCount(LitheFile(richFile())); ++page) {
     LitheFile sound(richFile());
@@ -558,7 +558,9 @@ TEST(PageCheck, N77_ClassWithoutAWedgeAtItsCornersChild) {
         if (wedge_class != static_cast<int32_t>(classCode({1, 1}, true, true))) continue;
         wedge_class = static_cast<int32_t>(classCode(counts, true, true));
         editor.apply();
-        refused += outcomeOf(file.bytes()).diagnosis.check == 77;
+        const uint32_t check = outcomeOf(file.bytes()).diagnosis.check;
+        EXPECT_TRUE(check == 77 || check == 76) << check;
+        refused += check == 77;
       }
   }
   EXPECT_GT(refused, 0u);
@@ -693,14 +695,27 @@ TEST(PageCheck, N80_RecordsMissing) {
 }
 
 TEST(PageCheck, N80_LowBits) {
-  uint32_t kinds_with_bits = 0;
   for (uint32_t kind = 0; kind < kLowBitsKinds; ++kind) {
     SCOPED_TRACE(kind);
     expectRefusedAfter(richFile(), 1, 80, [&](PageEditor& e) { e.data.low_bits[kind].push_back(0); });
+  }
+}
+
+// What is missing reads as zeros: another check may find the values wrong before the end does.
+TEST(PageCheck, N80_TooFewLowBits) {
+  uint32_t kinds_with_bits = 0;
+  for (uint32_t kind = 0; kind < kLowBitsKinds; ++kind) {
+    SCOPED_TRACE(kind);
     const uint32_t page = pageWhere(richFile(), [&](PageEditor& e) { return !e.data.low_bits[kind].empty(); });
     if (page == 0) continue;
     ++kinds_with_bits;
-    expectRefusedAfter(richFile(), page, 80, [&](PageEditor& e) { e.data.low_bits[kind].pop_back(); });
+    LitheFile file(richFile());
+    PageEditor editor(file, page);
+    editor.data.low_bits[kind].pop_back();
+    editor.apply();
+    const Outcome outcome = outcomeOf(file.bytes());
+    EXPECT_EQ(outcome.result, LITHE_ERROR_CORRUPT);
+    EXPECT_GE(outcome.diagnosis.check, 67u);
   }
   EXPECT_GT(kinds_with_bits, 2u);
 }

@@ -166,6 +166,21 @@ void chooseAttribute(const Kindred& kindred, const Places& at, Parameters& param
   parameters[at.bias] = choice.bias;
 }
 
+/// Residuals of further wedges: no prediction is left to choose.
+struct ExtraShift {
+  Residual::Kind kind;
+  format::Parameter parameter;
+};
+constexpr ExtraShift kExtraShifts[] = {{Residual::Kind::kExtraNormal, format::kExtraNormalShift},
+                                       {Residual::Kind::kExtraTangent, format::kExtraTangentShift},
+                                       {Residual::Kind::kExtraUv, format::kExtraUvShift}};
+
+int32_t lowBitsOfExtra(const Residual& item, const Parameters& parameters) {
+  for (const ExtraShift& shift : kExtraShifts)
+    if (shift.kind == item.kind) return parameters[shift.parameter];
+  return 0;
+}
+
 void chooseParameters(const std::vector<Residual>& items, Parameters& parameters) {
   using Kind = Residual::Kind;
   auto choose = [&](Kind kind, uint32_t set, const Places& at) {
@@ -176,6 +191,8 @@ void chooseParameters(const std::vector<Residual>& items, Parameters& parameters
   choose(Kind::kNormal, 0, {format::kNormalGradient, format::kNormalGeometry, format::kNormalBias});
   choose(Kind::kTangent, 0, {format::kTangentGradient, kNone, format::kTangentBias});
   choose(Kind::kSkin, 0, {format::kSkinGradient, kNone, format::kSkinBias});
+  for (const ExtraShift& shift : kExtraShifts)
+    parameters[shift.parameter] = Kindred(items, shift.kind, 0).series({}).best(false).bias;
   for (uint32_t set = 0; set < kMaxUvSets; ++set)
     choose(Kind::kUv, set, {format::kUvGradient0 + set, kNone, format::kUvBias0 + set});
 }
@@ -196,6 +213,9 @@ void fillStreams(const std::vector<Residual>& items, PageData& page) {
     for (uint32_t i = 0; i < 2; ++i)
       splits[format::kSplitPosition].putSplit(values[i], lowOf(item, format::kPositionBias), bits);
     splits[format::kSplitPositionHeight].putSplit(values[2], lowOf(item, format::kHeightBias), bits);
+  };
+  auto putExtra = [&](const Residual& item) {
+    put(item, page.streams[format::kExtras].attributes[0], {}, format::kLowExtras, lowBitsOfExtra(item, parameters));
   };
   for (const Residual& item : items) {
     switch (item.kind) {
@@ -223,9 +243,11 @@ void fillStreams(const std::vector<Residual>& items, PageData& page) {
         put(item, page.streams[format::kUv0 + item.set].attributes[0], {parameters[format::kUvGradient0 + item.set]},
             format::kLowUvs, lowOf(item, format::kUvBias0 + item.set));
         break;
-      case Residual::Kind::kExtra:
-        put(item, page.streams[format::kExtras].attributes[0], {}, format::kLowExtras,
-            static_cast<int32_t>(item.extent));
+      case Residual::Kind::kExtraNormal:
+      case Residual::Kind::kExtraTangent:
+      case Residual::Kind::kExtraUv:
+      case Residual::Kind::kExtraPlain:
+        putExtra(item);
         break;
     }
   }

@@ -14,7 +14,19 @@ namespace lithe::bake {
 
 /// A difference between two children and what it may be predicted from.
 struct Residual {
-  enum class Kind : uint8_t { kPosition, kLattice, kNormal, kTangent, kUv, kExtra, kSkin };
+  enum class Kind : uint8_t {
+    kPosition,
+    kLattice,
+    kNormal,
+    kTangent,
+    kUv,
+    kSkin,
+    // Of further wedges.
+    kExtraNormal,
+    kExtraTangent,
+    kExtraUv,
+    kExtraPlain  ///< handedness, colours
+  };
   Kind kind = Kind::kPosition;
   uint8_t set = 0;         ///< uv set
   uint8_t components = 1;  ///< of the arrays below
@@ -23,8 +35,8 @@ struct Residual {
                                          ///< (lattice) or over the ring
   std::array<int64_t, 3> normal{};       ///< of the ring (positions)
   std::array<int32_t, 3> geometry{};     ///< of the area normals (normals)
-  /// What the number of low bits follows: the ring's mean edge (positions), its spread (attributes); the number itself
-  /// for extras. Of a lattice index, which has none, the lattice's step.
+  /// What the number of low bits follows: the ring's mean edge (positions), its spread (attributes). Of a
+  /// lattice index, which has none, the lattice's step.
   uint32_t extent = 0;
 };
 

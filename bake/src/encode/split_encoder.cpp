@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "further_encoder.h"
 #include "lithe/format/placement_prediction.h"
 
 namespace lithe::bake {
@@ -70,15 +71,18 @@ void SplitEncoder::split(uint32_t node) {
   format::Ring ring;
   format::buildRing(fan, ring);
   const Plan plan = planSplit(hierarchy_node, fan, ring);
+  fan_wedge_.resize(fan.count);
+  for (uint32_t i = 0; i < fan.count; ++i) fan_wedge_[i] = cut_.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3];
 
   writeConnectivity(plan, fan, ring);
   writePosition(hierarchy_node, plan, fan);
   const format::RingNeighbours all_neighbours = neighboursOf(node, kNone, plan, fan, ring);
   PickEncoder picks(cut_, node, plan, fan, ring, page_);
-  writeWedges(node, picks.classes(), plan, fan, ring);
+  writeClasses(node, picks.classes(), plan);
   addChildren(picks.classes(), plan);
   picks.run();
   work_ += picks.work();
+  writeAttributes(node, picks.classes(), plan, fan, ring);
   auto skin_of = [&](uint32_t wedge) -> const QuantizedSkin& {
     return cut_.h.skin[cut_.node_hierarchy[cut_.wedge_node[wedge]]];
   };
@@ -259,11 +263,11 @@ void SplitEncoder::writePlacement(uint32_t hierarchy_node, const Plan& plan, con
       static_cast<int32_t>(k[across.axis] + across.lift(lattice.difference[0], lattice.difference[1])));
 }
 
-void SplitEncoder::writeClass(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan, const format::Fan& fan) {
+void SplitEncoder::writeClass(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan) {
   const uint32_t count_a = wedge_class.members[0].count, count_b = wedge_class.members[1].count;
   bool at[2] = {false, false};
-  for (uint32_t i = 0; i < fan.count; ++i)
-    if (cornerWedge(fan.corner[i]) == wedge) at[plan.at_b[i] ? 1 : 0] = true;
+  for (size_t i = 0; i < fan_wedge_.size(); ++i)
+    if (fan_wedge_[i] == wedge) at[plan.at_b[i] ? 1 : 0] = true;
   const uint32_t code = format::classCode({count_a, count_b}, at[0], at[1]);
   StreamData& stream = page_.streams[format::classStream(at[0], at[1])];
   stream.put(static_cast<int32_t>(code));
@@ -271,11 +275,8 @@ void SplitEncoder::writeClass(uint32_t wedge, const WedgeClass& wedge_class, con
   for (uint32_t count : {count_a, count_b}) stream.put(static_cast<int32_t>(count));
 }
 
-void SplitEncoder::writeWedges(uint32_t node, const std::vector<WedgeClass>& classes, const Plan& plan,
-                               const format::Fan& fan, const format::Ring& ring) {
-  const uint32_t first = cut_.node_first_wedge[node];
-  for (uint32_t i = 0; i < classes.size(); ++i) writeClass(first + i, classes[i], plan, fan);
-  for (uint32_t i = 0; i < classes.size(); ++i) writeAttributes(first + i, classes[i], plan, fan, ring);
+void SplitEncoder::writeClasses(uint32_t node, const std::vector<WedgeClass>& classes, const Plan& plan) {
+  for (uint32_t i = 0; i < classes.size(); ++i) writeClass(cut_.node_first_wedge[node] + i, classes[i], plan);
 }
 
 // The children's wedges are numbered class by class, child A's before child B's.
@@ -340,7 +341,7 @@ format::RingNeighbours SplitEncoder::neighboursOf(uint32_t node, uint32_t wedge,
   format::RingNeighbours neighbours;
   format::gatherNeighbours(
       fan, ring, filePosition(node), format::minus(positionOf(plan.a), positionOf(plan.b)), extent_,
-      [&](uint32_t i) { return wedge == kNone || cornerWedge(fan.corner[i]) == wedge; },
+      [&](uint32_t i) { return wedge == kNone || fan_wedge_[i] == wedge; },
       [&](uint32_t i, uint32_t step) { return filePosition(step == 0 ? fan.next[i] : fan.previous[i]); },
       [&](uint32_t i, uint32_t step) { return neighbourWedge(fan, i, step); }, neighbours);
   return neighbours;
@@ -350,63 +351,50 @@ format::Int2 SplitEncoder::normalDifference(uint32_t wedge, const Plan& plan, co
                                             const format::OctahedralChart& chart) const {
   format::ChildNormals normals{{positionOf(plan.a), positionOf(plan.b)}, {}};
   normals.addFan(
-      fan, [&](uint32_t i) { return cornerWedge(fan.corner[i]) == wedge; }, plan.at_b,
+      fan, [&](uint32_t i) { return fan_wedge_[i] == wedge; }, plan.at_b,
       [&](uint32_t i, uint32_t step) { return filePosition(step == 0 ? fan.next[i] : fan.previous[i]); });
   for (const NewFace& face : plan.faces)
     if (face.ring_at != kNone) normals.addCut(filePosition(face.third), face.first_is_a);
   return format::normalDifference(normals.normal[0], normals.normal[1], chart);
 }
 
-void SplitEncoder::writeAttributes(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan,
+// What lies at one child only has the parent's record.
+void SplitEncoder::writeAttributes(uint32_t node, const std::vector<WedgeClass>& classes, const Plan& plan,
                                    const format::Fan& fan, const format::Ring& ring) {
-  const WedgeRecord& record = cut_.h.record;
-  const uint32_t parent = cut_.wedge_hierarchy[wedge];
-  if (wedge_class.atBoth()) {
-    const uint32_t a = wedge_class.wedges[0][0], b = wedge_class.wedges[1][0];
-    const uint32_t node = cut_.wedge_node[wedge];
-    const bool predicted = isPredicted(node, fan);
-    const format::RingNeighbours neighbours =
-        predicted ? neighboursOf(node, wedge, plan, fan, ring) : format::RingNeighbours{};
-    if (record.normal != kNone) {
-      Residual residual = directionResidual(record.normal, parent, a, b, plan, neighbours);
-      residual.kind = Residual::Kind::kNormal;
-      const auto chart = format::OctahedralChart::around(pairAt(parent, record.normal), settings_.normal_center);
-      const format::Int2 apart = predicted ? normalDifference(wedge, plan, fan, chart) : format::Int2{0, 0};
-      residual.geometry = {apart.x, apart.y, 0};
-      residuals_.add(residual);
-    }
-    if (record.tangent != kNone) {
-      Residual residual = directionResidual(record.tangent, parent, a, b, plan, neighbours);
-      residual.kind = Residual::Kind::kTangent;
-      residuals_.add(residual);
-      const uint32_t sign = record.tangent + 2;
-      page_.streams[format::kTangents].attributes[1].values.push_back(
-          (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));
-    }
-    for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) residuals_.add(uvResidual(s, parent, a, b, neighbours));
-    for (uint32_t s = 0; s < settings_.has.color_sets; ++s)
-      for (uint32_t c = 0; c < 4; ++c)
-        page_.streams[format::kColors].put(attributes(a)[record.color[s] + c] - attributes(b)[record.color[s] + c]);
-  }
-  for (const std::vector<uint32_t>& side : wedge_class.wedges)
-    for (size_t m = 1; m < side.size(); ++m) writeExtra(side[0], side[m]);
+  for (uint32_t i = 0; i < classes.size(); ++i)
+    if (classes[i].atBoth())
+      writePair(cut_.node_first_wedge[node] + i, classes[i].wedges[0][0], classes[i].wedges[1][0], plan, fan, ring);
+  FurtherEncoder(cut_, classes, settings_.normal_center, page_, residuals_).run();
 }
 
-// Across a seam often only one attribute differs: a mask says which do.
-void SplitEncoder::writeExtra(uint32_t first, uint32_t extra) {
-  uint32_t mask = 0;
-  for (uint32_t i = 0; i < cut_.h.record.stride; ++i)
-    if (attributes(extra)[i] != attributes(first)[i]) mask |= 1u << format::extraField(settings_.has, i).group;
-  page_.streams[format::kExtraMasks].put(static_cast<int32_t>(mask));
-  for (uint32_t i = 0; i < cut_.h.record.stride; ++i) {
-    const format::ExtraField field = format::extraField(settings_.has, i);
-    if (!(mask >> field.group & 1)) continue;
-    Residual residual;
-    residual.kind = Residual::Kind::kExtra;
-    residual.difference[0] = attributes(extra)[i] - attributes(first)[i];
-    residual.extent = field.low;
+// The first wedges of a class.
+void SplitEncoder::writePair(uint32_t wedge, uint32_t a, uint32_t b, const Plan& plan, const format::Fan& fan,
+                             const format::Ring& ring) {
+  const WedgeRecord& record = cut_.h.record;
+  const uint32_t parent = cut_.wedge_hierarchy[wedge], node = cut_.wedge_node[wedge];
+  const bool predicted = isPredicted(node, fan);
+  const format::RingNeighbours neighbours =
+      predicted ? neighboursOf(node, wedge, plan, fan, ring) : format::RingNeighbours{};
+  if (record.normal != kNone) {
+    Residual residual = directionResidual(record.normal, parent, a, b, plan, neighbours);
+    residual.kind = Residual::Kind::kNormal;
+    const auto chart = format::OctahedralChart::around(pairAt(parent, record.normal), settings_.normal_center);
+    const format::Int2 apart = predicted ? normalDifference(wedge, plan, fan, chart) : format::Int2{0, 0};
+    residual.geometry = {apart.x, apart.y, 0};
     residuals_.add(residual);
   }
+  if (record.tangent != kNone) {
+    Residual residual = directionResidual(record.tangent, parent, a, b, plan, neighbours);
+    residual.kind = Residual::Kind::kTangent;
+    residuals_.add(residual);
+    const uint32_t sign = record.tangent + 2;
+    page_.streams[format::kTangents].attributes[1].values.push_back(
+        (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));
+  }
+  for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) residuals_.add(uvResidual(s, parent, a, b, neighbours));
+  for (uint32_t s = 0; s < settings_.has.color_sets; ++s)
+    for (uint32_t c = 0; c < 4; ++c)
+      page_.streams[format::kColors].put(attributes(a)[record.color[s] + c] - attributes(b)[record.color[s] + c]);
 }
 
 }  // namespace lithe::bake

@@ -48,12 +48,13 @@ class SplitEncoder {
   void writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
   format::PredictedPlacement predictPlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) const;
   void writePlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
-  void writeWedges(uint32_t node, const std::vector<WedgeClass>& classes, const Plan& plan, const format::Fan& fan,
-                   const format::Ring& ring);
-  void writeClass(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan, const format::Fan& fan);
+  void writeClasses(uint32_t node, const std::vector<WedgeClass>& classes, const Plan& plan);
+  void writeClass(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan);
   void addChildren(const std::vector<WedgeClass>& classes, const Plan& plan);
-  void writeAttributes(uint32_t wedge, const WedgeClass& wedge_class, const Plan& plan, const format::Fan& fan,
+  void writeAttributes(uint32_t node, const std::vector<WedgeClass>& classes, const Plan& plan, const format::Fan& fan,
                        const format::Ring& ring);
+  void writePair(uint32_t wedge, uint32_t a, uint32_t b, const Plan& plan, const format::Fan& fan,
+                 const format::Ring& ring);
   Residual uvResidual(uint32_t set, uint32_t parent, uint32_t a, uint32_t b,
                       const format::RingNeighbours& neighbours) const;
   Residual directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
@@ -62,7 +63,6 @@ class SplitEncoder {
     return {attributes(hierarchy_wedge)[at], attributes(hierarchy_wedge)[at + 1]};
   }
   bool isPredicted(uint32_t node, const format::Fan& fan) const;
-  uint32_t cornerWedge(uint32_t corner) const { return cut_.face_wedges[corner / 3][corner % 3]; }
   uint32_t neighbourWedge(const format::Fan& fan, uint32_t i, uint32_t step) const {
     return cut_.face_wedges[fan.corner[i] / 3][(fan.corner[i] % 3 + 1 + step) % 3];
   }
@@ -75,7 +75,6 @@ class SplitEncoder {
     const glm::ivec3& p = cut_.h.position[hierarchy_node];
     return {p.x, p.y, p.z};
   }
-  void writeExtra(uint32_t first, uint32_t extra);
   const int32_t* attributes(uint32_t hierarchy_wedge) const {
     return cut_.h.wedge_attributes.data() + size_t{hierarchy_wedge} * cut_.h.record.stride;
   }
@@ -85,7 +84,8 @@ class SplitEncoder {
   PageData page_;
   Residuals residuals_;
   uint64_t work_ = 0;
-  uint32_t extent_ = 0;  ///< of the ring and of D, for the node that is being split
+  std::vector<uint32_t> fan_wedge_;  ///< of the node that is being split: per fan corner, before it moves
+  uint32_t extent_ = 0;              ///< of the ring and of D, for the node that is being split
 };
 
 }  // namespace lithe::bake

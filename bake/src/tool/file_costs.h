@@ -4,7 +4,8 @@
 ///
 /// Streams that hold several things are taken apart by their attributes, the low bits by the values that they belong
 /// to: of normals, tangents and weights a page's parameters say how many there are, of uvs the distance of the
-/// children, of further wedges their masks; what is left are positions' (with the padding of the page's last byte).
+/// children, of further wedges their masks and the parameters; what is left are positions' (with the padding of the
+/// page's last byte).
 #pragma once
 
 #include <cstdint>

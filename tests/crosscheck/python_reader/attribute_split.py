@@ -1,28 +1,26 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 """What the wedges of a split node become, and the children's attributes (docs/format.md, section 4.4)."""
+from further_wedges import FurtherReader
 from integers import between, cross, largest, low_bits, minus, plus, predicted
 from octahedron import Chart, fold
-from page_streams import (CLASSES_BOTH, CLASSES_NONE, CLASSES_ONE, COLORS, EXTRA_MASKS, EXTRAS, LOW_EXTRAS,
-                          LOW_NORMALS, LOW_TANGENTS, LOW_UVS, NORMALS, TANGENTS, UV_0)
+from page_streams import (CLASSES_BOTH, CLASSES_NONE, CLASSES_ONE, COLORS, LOW_NORMALS, LOW_TANGENTS, LOW_UVS, NORMALS,
+                          TANGENTS, UV_0)
 from refused import demand
 from slope import RingSlope
 
 A, B = 0, 1
 STATED = 90
 CLASS_STREAMS = CLASSES_NONE, CLASSES_ONE, CLASSES_BOTH
-EXTRA_LOW_BITS = 5
-MASK_UV, MASK_COLOR, MASK_END = 2, 10, 12
 
 
 class WedgeClass:
-    """A wedge of the split node: how many wedges it becomes at A and B, their records, and in the end their ids."""
+    """A wedge of the split node: how many wedges it becomes at A and B, and in the end their ids."""
 
     def __init__(self, split, index):
         self.index, self.wedge = index, split.hierarchy.wedges[index]
         self.spokes = [at for at, spoke in enumerate(split.fan.spokes) if spoke.wedge == index]
         self.counts = self.read_counts(split.page, {split.sides[at] for at in self.spokes})
-        self.records = [], []
         self.members = [], []
 
     def read_counts(self, page, sides):
@@ -45,7 +43,7 @@ def numbered_pair(value):
 
 
 def split_wedges(split):
-    """Reads classes and attributes, adds the wedges of both children, and returns the classes."""
+    """Reads the classes, adds the wedges of both children, still without records, and returns the classes."""
     hierarchy = split.hierarchy
     classes = [WedgeClass(split, index) for index in split.node.wedges]
     totals = [sum(one.counts[side] for one in classes) for side in (A, B)]
@@ -53,15 +51,21 @@ def split_wedges(split):
     demand(all(sum(one.counts) > 0 for one in classes), 76, "a wedge class is empty")
     room = split.entry.wedge_count - len(hierarchy.wedges)
     demand(sum(totals) <= room, 76, "there are more wedges than the page's")
-    for one in classes:
-        AttributeReader(split, one).read()
     for side, child in enumerate(split.children):
         first = len(hierarchy.wedges)
         for one in classes:
             one.members[side].extend(
-                hierarchy.add_wedge(child, one.wedge.part, record, one.index) for record in one.records[side])
+                hierarchy.add_wedge(child, one.wedge.part, None, one.index) for _ in range(one.counts[side]))
         hierarchy.nodes[child].wedges = range(first, len(hierarchy.wedges))
     return classes
+
+
+def read_attributes(split):
+    """The records of the children's wedges, once all corners are there: first ones, then further ones."""
+    for one in split.classes:
+        AttributeReader(split, one).read()
+    for side in (A, B):
+        FurtherReader(split, side).read()
 
 
 class AttributeReader:
@@ -92,15 +96,11 @@ class AttributeReader:
         return d
 
     def read(self):
-        target = self.target
-        if target.counts[A] and target.counts[B]:
-            for side, record in enumerate(self.read_pair()):
-                target.records[side].append(record)
-        else:
-            target.records[A if target.counts[A] else B].append(self.parent)
+        target, hierarchy = self.target, self.split.hierarchy
+        records = self.read_pair() if all(target.counts) else (self.parent, self.parent)
         for side in (A, B):
-            for _ in range(target.counts[side] - 1):
-                target.records[side].append(self.read_further(target.records[side][0]))
+            if target.counts[side]:
+                hierarchy.set_record(target.members[side][0], records[side])
 
     # The first wedges of a class at both children
 
@@ -189,26 +189,3 @@ class AttributeReader:
         d = self.difference(LOW_UVS, self.page.streams[UV_0 + uv_set].row(), self.parameters.uv_bias[uv_set],
                             self.parameters.uv_gradient[uv_set], steps, self.split.hierarchy.info.uv_greatest)
         return self.moved(self.parent[entries], d)
-
-    # Further wedges
-
-    def mask_entries(self):
-        """(bit, entries, low bits) of every attribute in the order of the record."""
-        layout = self.layout
-        yield 0, layout.normal, [EXTRA_LOW_BITS] * 2
-        yield 1, slice(layout.tangent.start, layout.hand.stop), [EXTRA_LOW_BITS, EXTRA_LOW_BITS, 0]
-        for at, entries in enumerate(layout.uvs):
-            yield MASK_UV + at, entries, [EXTRA_LOW_BITS] * 2
-        for at, entries in enumerate(layout.colors):
-            yield MASK_COLOR + at, entries, [0] * 4
-
-    def read_further(self, first):
-        mask = self.page.streams[EXTRA_MASKS].value()
-        demand(mask < 1 << MASK_END, 69, "a mask names an attribute that does not exist")
-        record = list(first)
-        for bit, entries, low in self.mask_entries():
-            if mask >> bit & 1:
-                indices = range(*entries.indices(self.layout.length))
-                for index, bits in zip(indices, low):
-                    record[index] += self.page.split_value(LOW_EXTRAS, self.page.streams[EXTRAS].value(), bits)
-        return record

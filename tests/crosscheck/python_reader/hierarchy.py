@@ -62,10 +62,16 @@ class Hierarchy:
         return len(self.nodes) - 1
 
     def add_wedge(self, node, part, record, parent=None):
-        self.check_record(record)
+        """record  None: it is set later"""
         demand(part < self.part_count, 69, "a wedge's part does not exist")
-        self.wedges.append(Wedge(node, part, tuple(record), parent))
+        self.wedges.append(Wedge(node, part, None, parent))
+        if record is not None:
+            self.set_record(len(self.wedges) - 1, record)
         return len(self.wedges) - 1
+
+    def set_record(self, wedge, record):
+        self.check_record(record)
+        self.wedges[wedge].record = tuple(record)
 
     def check_record(self, record):
         """Ranges of section INFO and of the records in section Streams."""

@@ -6,7 +6,7 @@ from refused import demand
 
 BASE, SPLITS = 0, 1
 SIGNED, UNSIGNED = True, False
-PARAMETER_BYTES = 27
+PARAMETER_BYTES = 30
 MAX_SETS = 8
 NODES, INFLUENCES, WEDGES, FACES = range(4)
 (FLAGS_OLD, FLAGS_NEW, SPLIT, CUT_3, CUT_4, CUT_5, CUT_6, CUT_7, CUT_8, CUT_9, CUT_OPEN, GENERAL, CLASSES_BOTH,
@@ -24,8 +24,8 @@ class Parameters:
     def __init__(self, data, info, kind):
         (self.position_mean, self.position_bias, self.height_bias, self.placement, self.normal_gradient,
          self.normal_geometry, self.normal_bias, self.tangent_gradient, self.tangent_bias, self.skin_gradient,
-         self.skin_bias) = data[:11]
-        self.uv_gradient, self.uv_bias = data[11:19], data[19:27]
+         self.skin_bias, self.extra_normal_shift, self.extra_tangent_shift, self.extra_uv_shift) = data[:14]
+        self.uv_gradient, self.uv_bias = data[14:22], data[22:30]
         self.strengths = [self.position_mean, self.placement, self.normal_gradient, self.normal_geometry,
                           self.tangent_gradient, self.skin_gradient, *self.uv_gradient]
         self.check_ranges()
@@ -36,18 +36,25 @@ class Parameters:
     def check_ranges(self):
         biases = [self.position_bias, self.height_bias, self.normal_bias, self.tangent_bias, self.skin_bias,
                   *self.uv_bias]
-        demand(max(self.strengths) <= 32 and max(biases) <= 31, 63, "a parameter is out of its range")
+        sound = max(self.strengths) <= 32 and max(biases) <= 31 and max(self.extra_shifts()) <= 15
+        demand(sound, 63, "a parameter is out of its range")
+
+    def extra_shifts(self):
+        return self.extra_normal_shift, self.extra_tangent_shift, self.extra_uv_shift
 
     def check_absent(self, info):
         absent = [*self.uv_gradient[info.uv_sets :], *self.uv_bias[info.uv_sets :]]
         if not info.has_normals:
-            absent += [self.normal_gradient, self.normal_geometry, self.normal_bias]
+            absent += [self.normal_gradient, self.normal_geometry, self.normal_bias, self.extra_normal_shift]
         if not info.has_tangents:
-            absent += [self.tangent_gradient, self.tangent_bias]
+            absent += [self.tangent_gradient, self.tangent_bias, self.extra_tangent_shift]
+        if not info.uv_sets:
+            absent += [self.extra_uv_shift]
         demand(not any(absent), 63, "a parameter of an attribute that the asset lacks is not 0")
 
     def check_base(self):
-        demand(not any(self.strengths) and self.height_bias == 0 and self.skin_bias == 0, 63, "a base page predicts")
+        zeros = [*self.strengths, self.height_bias, self.skin_bias, *self.extra_shifts()]
+        demand(not any(zeros), 63, "a base page predicts")
         biases = self.position_bias, self.normal_bias, self.tangent_bias, *self.uv_bias
         demand(max(biases) <= 15, 63, "a parameter is out of its range")
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 """One split: sides of its fan, positions of its children, new faces (docs/format.md, sections 4.1 to 4.3)."""
-from attribute_split import split_wedges
+from attribute_split import read_attributes, split_wedges
 from integers import between, cross, from_plane, largest, low_bits, main_axis, minus, plus, predicted
 from page_streams import CUT_3, CUT_9, CUT_OPEN, GENERAL, LOW_POSITIONS, SPLIT
 from picks import Picks
@@ -70,6 +70,7 @@ class Split:
             self.picks.add_face(face)
         for face in self.listed_faces():
             self.picks.add_face(face)
+        read_attributes(self)
         for child, skin in zip(self.children, split_skin(self.page, self, skin_mode)):
             hierarchy.nodes[child].skin = skin
 

@@ -189,18 +189,6 @@ TEST(PageArithmetic, CutStreamsByRingSize) {
   EXPECT_EQ(cutStream(kMaxRing), uint32_t{kCut9});
 }
 
-TEST(PageArithmetic, ExtraFieldsNameTheirAttribute) {
-  // normal 2, tangent 2 + handedness, two uv sets, one colour set
-  const WedgeAttributes has{true, true, 2, 1};
-  const int groups[] = {0, 0, 1, 1, 1, 2, 2, 3, 3, 10, 10, 10, 10};
-  for (uint32_t i = 0; i < std::size(groups); ++i) EXPECT_EQ(extraField(has, i).group, groups[i]) << i;
-  for (uint32_t i : {0u, 3u, 5u, 8u}) EXPECT_EQ(extraField(has, i).low, kExtraLowBits) << i;
-  for (uint32_t i : {4u, 9u, 12u}) EXPECT_EQ(extraField(has, i).low, 0) << i;
-  EXPECT_EQ(extraField({false, false, 1, 2}, 2).group, 10);
-  EXPECT_EQ(extraField({false, false, 1, 2}, 6).group, 11);
-  EXPECT_EQ(extraField({false, true, 0, 0}, 0).group, 1);
-}
-
 // ---- Rings ----
 
 struct TestFan {

@@ -58,7 +58,7 @@ enum SplitStream : uint32_t {
   kSkinE,          ///< difference of child B's weights to the parent's, where the skin is free
   kSkinNew,        ///< counts of joints the parent lacks, and their ids
   kExtraMasks,     ///< per further wedge of a class: which attributes differ from the first one's
-  kExtras,         ///< the differences, high parts
+  kExtras,         ///< what these differ by from what is predicted, high parts
   kUv0,            ///< per united wedge: high parts x y; one stream per uv set
   kSplitStreamCount = kUv0 + 8
 };
@@ -148,8 +148,11 @@ enum Parameter : uint32_t {
   kNormalBias,       ///< low bits of a normal's residual = max(0, bit length of the ring's spread - bias) [0, 31]
   kTangentGradient,  ///< as for normals
   kTangentBias,
-  kSkinGradient,                ///< prediction of weights: sixteenths of the slope over the ring [0, 32]
-  kSkinBias,                    ///< as for normals
+  kSkinGradient,      ///< prediction of weights: sixteenths of the slope over the ring [0, 32]
+  kSkinBias,          ///< as for normals
+  kExtraNormalShift,  ///< low bits of a further wedge's normal [0, 15]
+  kExtraTangentShift,
+  kExtraUvShift,                ///< of all sets
   kUvGradient0,                 ///< prediction of uvs; one byte per uv set
   kUvBias0 = kUvGradient0 + 8,  ///< as for normals; one per set. Of a base page biases are numbers of low bits [0, 15]
   kParameterBytes = kUvBias0 + 8
@@ -230,26 +233,8 @@ constexpr uint32_t classStream(bool at_a, bool at_b) {
 /// The stream of cut vertices for a closed ring of n edges.
 constexpr uint32_t cutStream(uint32_t n) { return n >= 9 ? static_cast<uint32_t>(kCut9) : kCut3 + (n < 3 ? 0 : n - 3); }
 
-/// What an entry of a wedge's record means for a class's further wedges: the bit of kExtraMasks that its attribute has
-/// (normal 0, tangent 1, uv sets 2 .. 9, colour sets 10 .. 11) and how many low bits its difference has.
-struct ExtraField {
-  uint8_t group;
-  uint8_t low;
-};
-inline constexpr uint8_t kExtraLowBits = 5;
-
-constexpr ExtraField extraField(WedgeAttributes has, uint32_t index) {
-  if (has.normals) {
-    if (index < 2) return {0, kExtraLowBits};
-    index -= 2;
-  }
-  if (has.tangents) {
-    if (index < 3) return {1, static_cast<uint8_t>(index < 2 ? kExtraLowBits : 0)};
-    index -= 3;
-  }
-  if (index < 2 * has.uv_sets) return {static_cast<uint8_t>(2 + index / 2), kExtraLowBits};
-  return {static_cast<uint8_t>(10 + (index - 2 * has.uv_sets) / 4), 0};
-}
+/// The bits of kExtraMasks: which attributes of a class's further wedge differ from the first one's.
+inline constexpr uint32_t kMaskNormal = 0, kMaskTangent = 1, kMaskUv0 = 2, kMaskColor0 = 10, kMaskEnd = 12;
 
 // ---- Rings ----
 

@@ -121,6 +121,8 @@ constexpr Gradient solveGradient(GradientSums s, Int3 d) {
 struct AreaNormal {
   int64_t x = 0, y = 0, z = 0;
 
+  constexpr bool isZero() const { return x == 0 && y == 0 && z == 0; }
+
   /// Adds twice the area vector of the triangle (a, b, c); coordinates below 2^16.
   constexpr void add(Int3 a, Int3 b, Int3 c) {
     const Int3 u = minus(b, a), v = minus(c, a);

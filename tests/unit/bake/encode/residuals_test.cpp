@@ -22,15 +22,14 @@ constexpr format::WedgeAttributes kHas{true, true, 2, 0};
 
 Residual randomResidual(test::Random& random) {
   Residual r;
-  r.kind = static_cast<Kind>(random.below(7));
-  r.components = r.kind == Kind::kPosition ? 3 : r.kind == Kind::kExtra || r.kind == Kind::kSkin ? 1 : 2;
+  r.kind = static_cast<Kind>(random.below(static_cast<uint32_t>(Kind::kExtraPlain) + 1));
+  const bool extra = r.kind >= Kind::kExtraNormal;
+  r.components = r.kind == Kind::kPosition ? 3 : r.kind == Kind::kExtraPlain || r.kind == Kind::kSkin ? 1 : 2;
   r.set = r.kind == Kind::kUv ? static_cast<uint8_t>(random.below(2)) : uint8_t{0};
-  r.extent = r.kind == Kind::kExtra ? (random.chance(50) ? format::kExtraLowBits : 0u) : random.octave(8000);
+  r.extent = random.octave(8000);
   if (r.kind == Kind::kLattice) r.extent = 1u << random.below(6);
-  const int32_t width = r.kind == Kind::kLattice ? 40
-                        : r.kind == Kind::kExtra ? 200
-                                                 : static_cast<int32_t>(r.extent) / 2;
-  const bool predictable = r.kind != Kind::kExtra && random.chance(80);
+  const int32_t width = r.kind == Kind::kLattice ? 40 : extra ? 200 : static_cast<int32_t>(r.extent) / 2;
+  const bool predictable = !extra && random.chance(80);
   for (uint32_t i = 0; i < r.components; ++i) {
     r.difference[i] = random.between(-width, width);
     if (!predictable) continue;
@@ -73,10 +72,11 @@ format::LowBits lowBitsOf(const Residual& r) {
       return format::kLowUvs;
     case Kind::kSkin:
       return format::kLowSkins;
-    case Kind::kExtra:
-      return format::kLowExtras;
-    default:
+    case Kind::kPosition:
+    case Kind::kLattice:
       return format::kLowPositions;
+    default:
+      return format::kLowExtras;
   }
 }
 
@@ -101,8 +101,14 @@ Rule ruleOf(const PageData& page, const Residual& r) {
       return {format::lowBits(r.extent, p[format::kSkinBias]), p[format::kSkinGradient]};
     case Kind::kUv:
       return {format::lowBits(r.extent, p[format::kUvBias0 + r.set]), p[format::kUvGradient0 + r.set]};
+    case Kind::kExtraNormal:
+      return {p[format::kExtraNormalShift]};
+    case Kind::kExtraTangent:
+      return {p[format::kExtraTangentShift]};
+    case Kind::kExtraUv:
+      return {p[format::kExtraUvShift]};
     default:
-      return {static_cast<int32_t>(r.extent)};
+      return {0};
   }
 }
 
