@@ -262,10 +262,10 @@ uint64_t mostValues(const Info& info, const PageEntry& before, const PageEntry& 
   if (after.level == 0)
     return (5 + 2 * uint64_t{info.max_influences}) * nodes + (1 + info.stride()) * wedges + 3ull * after.face_count;
   const uint64_t splits = nodes / 2;
-  const uint64_t flags = 2ull * limits::kLevels * after.node_count, split_records = 9 * splits,
+  const uint64_t flags = 2ull * limits::kLevels * after.node_count, split_records = 7 * splits,
                  cuts = (kCutOpen - kCut3 + 1) * splits;
   const uint64_t lists = 4 * listedBound(splits, after.face_count), classes = 2ull * after.wedge_count;
-  const uint64_t attributes = (2 * info.stride() + 1) * wedges, skins = 3 * kMaxSkinJoints * splits;
+  const uint64_t attributes = (2 * info.stride() + 1) * wedges, skins = (4 + 3 * kMaxSkinJoints) * splits;
   return flags + split_records + cuts + lists + classes + attributes + skins;
 }
 

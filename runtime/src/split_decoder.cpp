@@ -15,6 +15,12 @@ namespace {
 
 using format::kNoIndex;
 
+bool equal(const uint16_t* a, const uint16_t* b, size_t count) {
+  for (size_t i = 0; i < count; ++i)
+    if (a[i] != b[i]) return false;
+  return true;
+}
+
 constexpr int64_t kMostResidual = 1 << 18;  // of a component of D; keeps the arithmetic of planes within 64 bits
 
 }  // namespace
@@ -54,22 +60,14 @@ uint32_t SplitDecoder::visitNodes(uint32_t* cursor, uint32_t first_node, uint32_
 
 uint32_t SplitDecoder::splitNode(uint32_t node) {
   if (!gatherFan(node)) return kCheckWork;
-  IntReader* split = streams_->values[format::kSplits];
-  const int32_t t8_rank = split[format::kSplitT8].next(), mode = split[format::kSplitMode].next(),
-                skin_mode = split[format::kSplitSkin].next();
-  if (t8_rank > 8 || mode > format::kModeGeneral || skin_mode > format::kSkinFree) return kCheckSplit;
   format::buildRing(fan_, ring_);
-  listed_ = ring_.kind == format::RingKind::kIrregular || mode == format::kModeGeneral;
-  if (ring_.kind == format::RingKind::kClosed && mode == format::kModeOpenTwo) return kCheckSplit;
-  if (ring_.kind == format::RingKind::kIrregular && mode != format::kModeRing) return kCheckSplit;
-
-  uint32_t check = listed_ ? readList() : readRing(mode);
-  if (check == 0) check = placeChildren(node, t8_rank);
+  uint32_t check = readSides(node);
+  if (check == 0) check = placeChildren(node);
   if (check == 0) check = readClasses(node);
   if (check == 0) check = moveFan();
   if (check == 0) check = addFaces();
   if (check == 0) check = readAttributes(node, t8_);
-  if (check == 0) check = readSkins(node, skin_mode, t8_);
+  if (check == 0) check = readSkins(node, t8_);
   return check;
 }
 
@@ -100,27 +98,45 @@ bool SplitDecoder::gatherFan(uint32_t node) {
   return true;
 }
 
-uint32_t SplitDecoder::readRing(int32_t mode) {
+/// Which corners go to child B, and the new faces.
+uint32_t SplitDecoder::readSides(uint32_t node) {
+  listed_ = ring_.kind == format::RingKind::kIrregular;
+  if (listed_) return readList();
+  const uint32_t stream = ring_.kind == format::RingKind::kClosed ? format::cutStream(ring_.count)
+                                                                  : static_cast<uint32_t>(format::kCutOpen);
+  const uint32_t value = static_cast<uint32_t>(streams_->values[stream][0].next());
+  listed_ = value == format::kCutListed;
+  return listed_ ? readList() : cutRing(node, value - 1);
+}
+
+uint32_t SplitDecoder::cutRing(uint32_t node, uint32_t value) {
   const bool closed = ring_.kind == format::RingKind::kClosed;
   const uint32_t edges = ring_.count, vertices = closed ? edges : edges + 1;
-  const uint32_t value = static_cast<uint32_t>(
-      streams_->values[closed ? format::cutStream(edges) : static_cast<uint32_t>(format::kCutOpen)][0].next());
   uint32_t p = value, q = edges;  // child B owns the edges [p, q)
   bool inside_is_b = true;
   face_count_ = 1;
-  if (closed || mode == format::kModeOpenTwo) {
-    if (value >= vertices * (vertices - 1) / 2) return kCheckCut;
-    format::pairOf(value, &p, &q);
+  if (closed || value >= vertices) {
+    const uint32_t pair = closed ? value : value - vertices;
+    if (pair >= vertices * (vertices - 1) / 2) return kCheckCut;
+    format::pairOf(pair, &p, &q);
+    if (closed) countFromFarthest(node, &p, &q);
     // In a closed ring child A owns edge 0.
     inside_is_b = !closed || p != 0;
     face_count_ = 2;
-  } else if (value >= vertices) {
-    return kCheckCut;
   }
   for (uint32_t i = 0; i < edges; ++i) scratch_.at_b[ring_.edge[i]] = (i >= p && i < q) == inside_is_b;
   const uint32_t at[2] = {p, q};
   for (uint32_t i = 0; i < face_count_; ++i) ring_faces_[i] = {ring_.vertex[at[i]], (i == 0) == inside_is_b};
   return 0;
+}
+
+/// A pair of a closed ring's vertices as the ring numbers them.
+void SplitDecoder::countFromFarthest(uint32_t node, uint32_t* p, uint32_t* q) const {
+  const uint32_t from =
+      format::farthestVertex(ring_, position(node), [&](uint32_t i) { return scratch_.other_at[0][i]; });
+  const uint32_t a = (*p + from) % ring_.count, b = (*q + from) % ring_.count;
+  *p = least(a, b);
+  *q = greatest(a, b);
 }
 
 uint32_t SplitDecoder::readList() {
@@ -227,7 +243,7 @@ void SplitDecoder::sumSides(format::Int3 center, format::Int3* low_end, format::
   *high_end = high;
 }
 
-uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8_rank) {
+uint32_t SplitDecoder::placeChildren(uint32_t node) {
   const format::Int3 center = position(node);
   const int32_t w[3] = {center.x, center.y, center.z};
   format::Int3 low_end, high_end;
@@ -243,7 +259,9 @@ uint32_t SplitDecoder::placeChildren(uint32_t node, int32_t t8_rank) {
   ring_extent_ = static_cast<uint32_t>(greatest(extent, format::longest(difference)));
 
   const format::PredictedPlacement predicted = predictPlacement(center, difference);
-  t8_ = format::eighthOfRank(t8_rank, predicted.t8);
+  const int32_t rank = streams_->values[format::kSplits][format::kSplitT8].next();
+  if (rank > 8) return kCheckSplit;
+  t8_ = format::eighthOfRank(rank, predicted.t8);
   int64_t k[3];
   readLattice(difference, step, predicted, k);
   const uint32_t child_a = out_->node_count, child_b = child_a + 1;
@@ -695,7 +713,18 @@ format::RingJoints SplitDecoder::jointsAround(const uint32_t* known, uint32_t kn
   return around;
 }
 
-uint32_t SplitDecoder::readSkins(uint32_t node, int32_t mode, int32_t t8) {
+/// How the skins are said, from the stream of nodes with a ring like this one.
+int32_t SplitDecoder::readSkinMode(uint32_t node) {
+  const size_t values = size_t{2} * format_.max_influences;
+  const uint16_t* skin = out_->node_skin + values * node;
+  uint32_t alike = 0;
+  for (uint32_t i = 0; i < fan_.count; ++i) alike += equal(skin, out_->node_skin + values * fan_.next[i], values);
+  return streams_->values[format::skinModeStream(alike, fan_.count)][0].next();
+}
+
+uint32_t SplitDecoder::readSkins(uint32_t node, int32_t t8) {
+  const int32_t mode = readSkinMode(node);
+  if (mode > format::kSkinFree) return kCheckSplit;
   const uint32_t influences = format_.max_influences, child_a = out_->node_count - 2;
   const SkinRecord parent = skinOf(*out_, node, influences);
   if (mode == format::kSkinSame) {

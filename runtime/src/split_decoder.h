@@ -59,10 +59,12 @@ class SplitDecoder {
   uint32_t visitNodes(uint32_t* cursor, uint32_t first_node, uint32_t node_end, bool to_the_last);
   uint32_t splitNode(uint32_t node);
   bool gatherFan(uint32_t node);
-  uint32_t readRing(int32_t mode);
+  uint32_t readSides(uint32_t node);
+  uint32_t cutRing(uint32_t node, uint32_t value);
+  void countFromFarthest(uint32_t node, uint32_t* p, uint32_t* q) const;
   uint32_t readList();
   uint32_t listedNode(uint32_t neighbour_count, uint32_t* node);
-  uint32_t placeChildren(uint32_t node, int32_t t8_rank);
+  uint32_t placeChildren(uint32_t node);
   format::PredictedPlacement predictPlacement(format::Int3 center, format::Int3 d) const;
   void sumSides(format::Int3 center, format::Int3* low_end, format::Int3* high_end);
   bool readDifference(uint32_t mean_edge, const format::Plane& plane, int32_t* d);
@@ -89,7 +91,8 @@ class SplitDecoder {
   uint32_t pickClass(const format::CornersBeside& beside);
   uint32_t pickThird(uint32_t node, uint32_t wedge_class, const format::CornersBeside& beside);
   format::WedgesInUse wedgesInUse(uint32_t node) const;
-  uint32_t readSkins(uint32_t node, int32_t mode, int32_t t8);
+  int32_t readSkinMode(uint32_t node);
+  uint32_t readSkins(uint32_t node, int32_t t8);
   bool readJoints(const SkinRecord& parent, uint32_t* joints, uint32_t* count);
   format::RingJoints jointsAround(const uint32_t* known, uint32_t known_count) const;
   uint32_t readUnsigned(uint32_t stream) { return static_cast<uint32_t>(streams_->values[stream][0].next()); }

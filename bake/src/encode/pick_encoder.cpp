@@ -18,7 +18,7 @@ PickEncoder::PickEncoder(Cut& cut, uint32_t node, const SplitPlan& plan, const f
       page_(page),
       node_(node),
       first_wedge_(cut.node_first_wedge[node]),
-      listed_(plan.isListed(ring)),
+      listed_(plan.listed),
       classes_(cut.node_first_wedge[node + 1] - first_wedge_) {
   for (uint32_t i = 0; i < fan.count; ++i)
     fan_class_.push_back(cut.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3] - first_wedge_);

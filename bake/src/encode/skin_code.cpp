@@ -76,15 +76,14 @@ bool ruleGives(const JointList& list, const QuantizedSkin& parent, const Quantiz
 }  // namespace
 
 void encodeSkins(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b, int32_t t8,
-                 uint32_t weight_one, const SkinRing& ring, PageData& page, Residuals& residuals) {
-  auto& modes = page.streams[format::kSplits].attributes[format::kSplitSkin].values;
+                 uint32_t weight_one, const SkinRing& ring, StreamData& modes, PageData& page, Residuals& residuals) {
   if (a == parent && b == parent) {
-    modes.push_back(format::kSkinSame);
+    modes.put(format::kSkinSame);
     return;
   }
   const JointList list = listJoints(parent, a, b, ring);
   const bool rule = ruleGives(list, parent, a, b, t8, weight_one);
-  modes.push_back(rule ? format::kSkinRule : format::kSkinFree);
+  modes.put(rule ? format::kSkinRule : format::kSkinFree);
   StreamData& news = page.streams[format::kSkinNew];
   news.put(static_cast<int32_t>(list.said_as.size()));
   for (int32_t value : list.said_as) news.put(value);

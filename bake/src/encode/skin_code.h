@@ -18,8 +18,8 @@ struct SkinRing {
   std::function<const QuantizedSkin&(uint32_t wedge)> skin_of;
 };
 
-/// Writes the skin mode and its values. a, b: the children; t8 from b (0) to a (8).
+/// Writes the skin mode to `modes`, a stream of the page, and its values. a, b: the children; t8 from b (0) to a (8).
 void encodeSkins(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b, int32_t t8,
-                 uint32_t weight_one, const SkinRing& ring, PageData& page, Residuals& residuals);
+                 uint32_t weight_one, const SkinRing& ring, StreamData& modes, PageData& page, Residuals& residuals);
 
 }  // namespace lithe::bake

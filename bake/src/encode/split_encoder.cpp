@@ -11,7 +11,7 @@
 namespace lithe::bake {
 namespace {
 
-/// Which child owns each edge of a ring, and the new faces at its cut vertices, as a mode states them.
+/// Which child owns each edge of a ring, and the new faces at its cut vertices, as a cut states them.
 struct RingSplit {
   std::vector<char> edge_at_b;
   struct At {
@@ -74,8 +74,12 @@ void SplitEncoder::split(uint32_t node) {
   fan_wedge_.resize(fan.count);
   for (uint32_t i = 0; i < fan.count; ++i) fan_wedge_[i] = cut_.face_wedges[fan.corner[i] / 3][fan.corner[i] % 3];
 
-  writeConnectivity(plan, fan, ring);
+  writeConnectivity(node, plan, fan, ring);
   writePosition(hierarchy_node, plan, fan);
+  uint32_t alike = 0;
+  for (uint32_t i = 0; i < fan.count; ++i)
+    alike += cut_.h.skin[cut_.node_hierarchy[fan.next[i]]] == cut_.h.skin[hierarchy_node];
+  const uint32_t skin_modes = format::skinModeStream(alike, fan.count);
   const format::RingNeighbours all_neighbours = neighboursOf(node, kNone, plan, fan, ring);
   PickEncoder picks(cut_, node, plan, fan, ring, page_);
   writeClasses(node, picks.classes(), plan);
@@ -87,7 +91,7 @@ void SplitEncoder::split(uint32_t node) {
     return cut_.h.skin[cut_.node_hierarchy[cut_.wedge_node[wedge]]];
   };
   encodeSkins(cut_.h.skin[hierarchy_node], cut_.h.skin[plan.a], cut_.h.skin[plan.b], plan.t8, settings_.weight_one,
-              {all_neighbours, skin_of}, page_, residuals_);
+              {all_neighbours, skin_of}, page_.streams[skin_modes], page_, residuals_);
   cut_.node_split[node] = 1;
 }
 
@@ -95,11 +99,10 @@ SplitEncoder::Plan SplitEncoder::planSplit(uint32_t hierarchy_node, const format
                                            const format::Ring& ring) const {
   Plan plans[2] = {assignChildren(hierarchy_node, 0, fan), assignChildren(hierarchy_node, 1, fan)};
   for (Plan& plan : plans)
-    if (tryRing(plan, fan, ring, format::kModeRing) || tryRing(plan, fan, ring, format::kModeOpenTwo)) return plan;
+    if (tryRing(plan, fan, ring, 1) || tryRing(plan, fan, ring, 2)) return plan;
   // Child B's corners are listed: B is the child with fewer, which bounds the lists over the whole hierarchy.
   const auto corners_at_b = std::count(plans[0].at_b.begin(), plans[0].at_b.end(), 1);
   Plan& plan = plans[2 * corners_at_b <= static_cast<int64_t>(fan.count) ? 0 : 1];
-  plan.mode = ring.kind == format::RingKind::kIrregular ? format::kModeRing : format::kModeGeneral;
   return plan;
 }
 
@@ -109,7 +112,7 @@ SplitEncoder::Plan SplitEncoder::assignChildren(uint32_t hierarchy_node, uint32_
   plan.a = cut_.h.children[hierarchy_node][which_is_a];
   plan.b = cut_.h.children[hierarchy_node][1 - which_is_a];
   plan.t8 = which_is_a ? cut_.h.t8[hierarchy_node] : 8 - cut_.h.t8[hierarchy_node];
-  plan.mode = format::kModeGeneral;
+  plan.listed = true;
   plan.faces = birthsOf(hierarchy_node, plan.a);
   plan.at_b.resize(fan.count);
   for (uint32_t i = 0; i < fan.count; ++i) plan.at_b[i] = cut_.h.contains(plan.b, cut_.leafVertex(fan.corner[i]));
@@ -134,11 +137,9 @@ std::vector<SplitEncoder::NewFace> SplitEncoder::birthsOf(uint32_t hierarchy_nod
   return faces;
 }
 
-bool SplitEncoder::tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, int32_t mode) const {
+bool SplitEncoder::tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, size_t births) const {
   const bool closed = ring.kind == format::RingKind::kClosed;
-  if (ring.kind == format::RingKind::kIrregular || (closed && mode != format::kModeRing)) return false;
-  const size_t births = closed || mode == format::kModeOpenTwo ? 2 : 1;
-  if (plan.faces.size() != births) return false;
+  if (ring.kind == format::RingKind::kIrregular || (closed && births != 2) || plan.faces.size() != births) return false;
   std::vector<NewFace> faces = plan.faces;
   for (NewFace& face : faces) {
     const uint32_t* end = ring.vertex + ringVertexCount(ring);
@@ -156,21 +157,36 @@ bool SplitEncoder::tryRing(Plan& plan, const format::Fan& fan, const format::Rin
   for (uint32_t i = 0; i < fan.count; ++i)
     if (split.edge_at_b[i] != plan.at_b[ring.edge[i]]) return false;
   plan.faces = std::move(faces);
-  plan.mode = mode;
+  plan.listed = false;
   return true;
 }
 
-void SplitEncoder::writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
-  auto& splits = page_.streams[format::kSplits].attributes;
-  splits[format::kSplitMode].values.push_back(plan.mode);
-  if (!plan.isListed(ring)) {
+void SplitEncoder::writeConnectivity(uint32_t node, const Plan& plan, const format::Fan& fan,
+                                     const format::Ring& ring) {
+  writeCut(node, plan, fan, ring);
+  if (plan.listed) writeList(plan, fan);
+}
+
+void SplitEncoder::writeCut(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring) {
+  if (ring.kind == format::RingKind::kIrregular) return;
+  const bool closed = ring.kind == format::RingKind::kClosed;
+  uint32_t value = format::kCutListed;
+  if (!plan.listed && closed) {
+    const uint32_t from =
+        format::farthestVertex(ring, filePosition(node), [&](uint32_t i) { return filePosition(fan.next[i]); });
+    auto counted = [&](uint32_t vertex) { return (vertex + ring.count - from) % ring.count; };
+    const auto [p, q] = std::minmax({counted(plan.faces[0].ring_at), counted(plan.faces[1].ring_at)});
+    value = 1 + format::pairIndex(p, q);
+  } else if (!plan.listed) {
     const uint32_t first = plan.faces[0].ring_at;
-    const uint32_t value = plan.faces.size() == 2 ? format::pairIndex(first, plan.faces[1].ring_at) : first;
-    const bool closed = ring.kind == format::RingKind::kClosed;
-    page_.streams[closed ? format::cutStream(ring.count) : static_cast<uint32_t>(format::kCutOpen)].put(
-        static_cast<int32_t>(value));
-    return;
+    value =
+        1 + (plan.faces.size() == 1 ? first : ringVertexCount(ring) + format::pairIndex(first, plan.faces[1].ring_at));
   }
+  page_.streams[closed ? format::cutStream(ring.count) : static_cast<uint32_t>(format::kCutOpen)].put(
+      static_cast<int32_t>(value));
+}
+
+void SplitEncoder::writeList(const Plan& plan, const format::Fan& fan) {
   StreamData& out = page_.streams[format::kGeneral];
   out.put(static_cast<int32_t>(std::count(plan.at_b.begin(), plan.at_b.end(), 1)));
   uint32_t next = 0;

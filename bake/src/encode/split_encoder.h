@@ -43,8 +43,10 @@ class SplitEncoder {
   Plan planSplit(uint32_t hierarchy_node, const format::Fan& fan, const format::Ring& ring) const;
   Plan assignChildren(uint32_t hierarchy_node, uint32_t which_is_a, const format::Fan& fan) const;
   std::vector<NewFace> birthsOf(uint32_t hierarchy_node, uint32_t a) const;
-  bool tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, int32_t mode) const;
-  void writeConnectivity(const Plan& plan, const format::Fan& fan, const format::Ring& ring);
+  bool tryRing(Plan& plan, const format::Fan& fan, const format::Ring& ring, size_t births) const;
+  void writeConnectivity(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
+  void writeCut(uint32_t node, const Plan& plan, const format::Fan& fan, const format::Ring& ring);
+  void writeList(const Plan& plan, const format::Fan& fan);
   void writePosition(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);
   format::PredictedPlacement predictPlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) const;
   void writePlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan);

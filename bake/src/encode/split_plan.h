@@ -18,20 +18,16 @@ struct SplitPlan {
                         ///< after
     uint32_t third;     ///< file node of corner 1
     bool first_is_a;    ///< corner 0 is at child A
-    uint32_t ring_at;   ///< position of the cut vertex in the ring, kNone in general mode
+    uint32_t ring_at;   ///< position of the cut vertex in the ring, kNone where faces are listed
   };
 
-  uint32_t a, b;  ///< hierarchy nodes of the children
-  int32_t t8;     ///< from b (0) to a (8)
-  int32_t mode;
+  uint32_t a, b;               ///< hierarchy nodes of the children
+  int32_t t8;                  ///< from b (0) to a (8)
+  bool listed;                 ///< sides and faces one by one
   std::vector<char> at_b;      ///< per fan corner
   std::vector<NewFace> faces;  ///< in the order of the file
 
   uint32_t child(bool of_b) const { return of_b ? b : a; }
-  /// Sides and faces are listed one by one.
-  bool isListed(const format::Ring& ring) const {
-    return ring.kind == format::RingKind::kIrregular || mode == format::kModeGeneral;
-  }
   DirectionRule directionRule(int32_t normal_center) const { return {normal_center, t8, !faces.empty()}; }
 };
 

@@ -65,10 +65,6 @@ constexpr KindName kNames[kKindCount] = {{"connectivity", "flags"},
 
 KindIndex kindOfSplitAttribute(size_t attribute) {
   switch (attribute) {
-    case format::kSplitMode:
-      return kCuts;
-    case format::kSplitSkin:
-      return kSkinModes;
     case format::kSplitPosition:
     case format::kSplitPositionHeight:
       return kDifferences;
@@ -101,6 +97,11 @@ KindIndex kindOfStream(size_t stream) {
       return kTangents;
     case format::kColors:
       return kColors;
+    case format::kSkinModesAll:
+    case format::kSkinModesMost:
+    case format::kSkinModesSome:
+    case format::kSkinModesNone:
+      return kSkinModes;
     case format::kSkinD:
     case format::kSkinE:
       return kWeights;

@@ -11,7 +11,8 @@ MAX_SETS = 8
 NODES, INFLUENCES, WEDGES, FACES = range(4)
 (FLAGS_OLD, FLAGS_NEW, SPLIT, CUT_3, CUT_4, CUT_5, CUT_6, CUT_7, CUT_8, CUT_9, CUT_OPEN, GENERAL, CLASSES_BOTH,
  CLASSES_ONE, CLASSES_NONE, CLASS_PICKS, CLASS_CHOICES, MEMBER_PICKS, MEMBER_CHOICES, THIRD_PICKS, THIRD_CHOICES,
- NORMALS, TANGENTS, COLORS, SKIN_D, SKIN_E, SKIN_NEW, EXTRA_MASKS, EXTRAS, UV_0) = range(30)
+ NORMALS, TANGENTS, COLORS, SKIN_MODES_ALL, SKIN_MODES_MOST, SKIN_MODES_SOME, SKIN_MODES_NONE, SKIN_D, SKIN_E, SKIN_NEW,
+ EXTRA_MASKS, EXTRAS, UV_0) = range(34)
 MAX_LISTED_JOINTS = 24
 LOW_POSITIONS, LOW_NORMALS, LOW_TANGENTS, LOW_UVS, LOW_SKINS, LOW_EXTRAS, LOW_KINDS = range(7)
 MAX_LEVELS = 64
@@ -70,7 +71,7 @@ def base_attributes(info):
 def split_attributes():
     """The same for split pages."""
     streams = [[(1, UNSIGNED)] for _ in range(UV_0)] + [[(2, SIGNED)] for _ in range(MAX_SETS)]
-    streams[SPLIT] = [(1, UNSIGNED), (2, SIGNED), (1, SIGNED), (1, UNSIGNED), (1, UNSIGNED), (2, SIGNED), (1, SIGNED)]
+    streams[SPLIT] = [(1, UNSIGNED), (2, SIGNED), (1, SIGNED), (2, SIGNED), (1, SIGNED)]
     streams[NORMALS] = [(2, SIGNED)]
     streams[TANGENTS] = [(2, SIGNED), (1, UNSIGNED)]
     streams[COLORS] = [(4, SIGNED)]
@@ -95,6 +96,7 @@ def split_limits(info, page, before, levels):
     limits = [page.node_count * max(1, levels)] * 2 + [splits] * 9
     limits += [picks] + [2 * page.wedge_count] * 3 + [picks] * 6
     limits += [new_wedges * info.has_normals, new_wedges * info.has_tangents, new_wedges * info.color_sets]
+    limits += [splits] * 4
     limits += [MAX_LISTED_JOINTS * splits] * 3 + [new_wedges, new_wedges * record_length(info)]
     return limits + [new_wedges * (uv_set < info.uv_sets) for uv_set in range(MAX_SETS)]
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """The skins of a split's children (docs/format.md, section 4.6)."""
 from integers import between, low_bits, predicted
-from page_streams import LOW_SKINS, MAX_LISTED_JOINTS, SKIN_D, SKIN_E, SKIN_NEW
+from page_streams import (LOW_SKINS, MAX_LISTED_JOINTS, SKIN_D, SKIN_E, SKIN_MODES_ALL, SKIN_MODES_MOST, SKIN_MODES_NONE,
+                          SKIN_MODES_SOME, SKIN_NEW)
 from refused import demand
 
 UNCHANGED, _, FREE = range(3)
@@ -47,8 +48,23 @@ def sorted_skin(joints, weights):
     return sorted(kept, key=lambda influence: (-influence[1], influence[0]))
 
 
-def split_skin(page, split, mode):
+def read_mode(page, split):
+    spokes, nodes = split.fan.spokes, split.hierarchy.nodes
+    alike = sum(nodes[spoke.next].skin == split.node.skin for spoke in spokes)
+    if alike == len(spokes):
+        stream = SKIN_MODES_ALL
+    elif 2 * alike >= len(spokes):
+        stream = SKIN_MODES_MOST
+    else:
+        stream = SKIN_MODES_SOME if alike else SKIN_MODES_NONE
+    mode = page.streams[stream].value()
+    demand(mode <= FREE, 72, "a skin mode is out of range")
+    return mode
+
+
+def split_skin(page, split):
     """The skins of A and B."""
+    mode = read_mode(page, split)
     if mode == UNCHANGED:
         return split.node.skin, split.node.skin
     one = split.hierarchy.info.one

@@ -12,7 +12,6 @@ from skin_split import split_skin
 from slope import RingSlope
 
 A, B = 0, 1
-LISTED = 2
 MAX_PREDICTED_WEDGES = 8
 
 
@@ -54,10 +53,9 @@ class Split:
     def carry_out(self):
         """Reads everything and adds the children, their wedges and faces."""
         rank, *rest = self.page.streams[SPLIT].row()
-        lattice, (mode, skin_mode), position = rest[:3], rest[3:5], rest[5:]
-        demand(rank <= 8 and mode <= LISTED and skin_mode <= 2, 72, "t8's rank, mode or skin mode is out of range")
-        self.read_sides(mode)
-        self.place(rank, lattice, position)
+        demand(rank <= 8, 72, "the rank of t8 is out of range")
+        self.read_sides()
+        self.place(rank, rest[:3], rest[3:])
         hierarchy = self.hierarchy
         self.children = [hierarchy.add_node(point, [], 73) for point in self.points]
         self.node.children = tuple(self.children)
@@ -71,26 +69,36 @@ class Split:
         for face in self.listed_faces():
             self.picks.add_face(face)
         read_attributes(self)
-        for child, skin in zip(self.children, split_skin(self.page, self, skin_mode)):
+        for child, skin in zip(self.children, split_skin(self.page, self)):
             hierarchy.nodes[child].skin = skin
 
     # Section 4.2
 
-    def read_sides(self, mode):
+    def read_sides(self):
         """The side of each spoke, and the new faces of a ring."""
-        kind = self.fan.kind
-        fits = mode == 0 if kind == IRREGULAR else mode in (0, LISTED) or kind == OPEN
-        demand(fits, 72, "the mode does not fit the ring")
         self.new_faces, self.listed_count = [], 0
-        self.is_listed = kind == IRREGULAR or mode == LISTED
+        value = self.cut_value()
+        self.is_listed = value == 0
         if self.is_listed:
             self.read_list()
-        elif kind == OPEN and mode == 0:
-            self.cut_at(self.page.streams[CUT_OPEN].value())
+        elif self.fan.kind == CLOSED:
+            self.cut_between(*self.counted_from_farthest(self.pair(value - 1)))
+        elif value <= len(self.fan.vertices()):
+            self.cut_at(value - 1)
         else:
-            edges = len(self.fan.order)
-            stream = CUT_OPEN if kind == OPEN else min(CUT_9, CUT_3 + max(0, edges - 3))
-            self.cut_between(*self.pair(self.page.streams[stream].value()))
+            self.cut_between(*self.pair(value - 1 - len(self.fan.vertices())))
+
+    def cut_value(self):
+        if self.fan.kind == IRREGULAR:
+            return 0
+        edges = len(self.fan.order)
+        stream = CUT_OPEN if self.fan.kind == OPEN else min(CUT_9, CUT_3 + max(0, edges - 3))
+        return self.page.streams[stream].value()
+
+    def counted_from_farthest(self, pair):
+        """The numbers in the ring of two vertices that were counted from the farthest, the lower first."""
+        ways = [largest(minus(self.hierarchy.nodes[node].position, self.node.position)) for node in self.fan.vertices()]
+        return sorted((number + ways.index(max(ways))) % len(ways) for number in pair)
 
     def pair(self, number):
         q = 1
@@ -109,7 +117,6 @@ class Split:
             self.sides[spoke] = A if is_at_a(edge) else B
 
     def cut_at(self, p):
-        demand(p < len(self.fan.vertices()), 74, "a cut vertex is not in the ring")
         self.set_sides(lambda edge: edge < p)
         self.ring_face(A, p)
 

@@ -31,7 +31,7 @@ enum BaseStream : uint32_t {
 enum SplitStream : uint32_t {
   kFlagsOld,  ///< per node of an earlier level: split (1) or not (0)
   kFlagsNew,  ///< per node created by this level: split or not
-  kSplits,    ///< per split: rank of t8 | lattice k across | lattice height | mode | skin mode | D residual across |
+  kSplits,    ///< per split: rank of t8 | lattice k across | lattice height | D residual across |
               ///< height
   kCut3,      ///< per split with a closed ring of 3 edges: the pair of cut vertices; likewise 4, 5, 6, 7, 8, 9 or more
   kCut4,
@@ -54,12 +54,16 @@ enum SplitStream : uint32_t {
   kNormals,        ///< per united wedge: high parts x y
   kTangents,       ///< per united wedge: high parts x y | sign flip
   kColors,         ///< per united wedge and set: r g b a
-  kSkinD,          ///< differences of the children's weights
-  kSkinE,          ///< difference of child B's weights to the parent's, where the skin is free
-  kSkinNew,        ///< counts of joints the parent lacks, and their ids
-  kExtraMasks,     ///< per further wedge of a class: which attributes differ from the first one's
-  kExtras,         ///< what these differ by from what is predicted, high parts
-  kUv0,            ///< per united wedge: high parts x y; one stream per uv set
+  kSkinModesAll,   ///< how the children's skins are said, where all of the ring's nodes have the node's skin
+  kSkinModesMost,  ///< at least half of them
+  kSkinModesSome,  ///< fewer
+  kSkinModesNone,
+  kSkinD,       ///< differences of the children's weights
+  kSkinE,       ///< difference of child B's weights to the parent's, where the skin is free
+  kSkinNew,     ///< counts of joints the parent lacks, and their ids
+  kExtraMasks,  ///< per further wedge of a class: which attributes differ from the first one's
+  kExtras,      ///< what these differ by from what is predicted, high parts
+  kUv0,         ///< per united wedge: high parts x y; one stream per uv set
   kSplitStreamCount = kUv0 + 8
 };
 
@@ -67,15 +71,7 @@ enum SplitStream : uint32_t {
 enum LowBits : uint32_t { kLowPositions, kLowNormals, kLowTangents, kLowUvs, kLowSkins, kLowExtras, kLowBitsKinds };
 
 /// The attributes of kSplits.
-enum SplitAttribute : uint32_t {
-  kSplitT8,
-  kSplitLattice,
-  kSplitLatticeHeight,
-  kSplitMode,
-  kSplitSkin,
-  kSplitPosition,
-  kSplitPositionHeight
-};
+enum SplitAttribute : uint32_t { kSplitT8, kSplitLattice, kSplitLatticeHeight, kSplitPosition, kSplitPositionHeight };
 
 /// One attribute of a stream's records. Unsigned values are >= 0.
 struct StreamAttribute {
@@ -119,8 +115,6 @@ constexpr uint32_t splitStreamAttributes(uint32_t stream, WedgeAttributes has, S
     out[n++] = {1, true};   // rank of t8
     out[n++] = {2, false};  // lattice k across D
     out[n++] = {1, false};  // lattice k along D
-    out[n++] = {1, true};   // mode
-    out[n++] = {1, true};   // skin mode
     out[n++] = {2, false};  // D residual in the ring's plane, high parts
     out[n++] = {1, false};  // D residual off it, high parts
   } else if (stream == kNormals) {
@@ -163,19 +157,17 @@ enum Parameter : uint32_t {
 inline constexpr uint32_t kMaxPredictedClasses = 8;
 
 inline constexpr uint32_t kLowBitsMax = 15;
-inline constexpr uint32_t kMaxRing = 64;            ///< larger fans are split in mode kModeGeneral
+inline constexpr uint32_t kMaxRing = 64;            ///< larger fans are no rings
 inline constexpr uint32_t kMaxPageWork = 1u << 26;  ///< corners visited while a page's splits are applied
 
 /// Upper bounds on a split page's records that its own tables do not give: kGeneral and the picks.
 constexpr uint64_t listedBound(uint64_t splits, uint64_t faces) { return 32 * (splits + faces); }
 inline constexpr uint32_t kMaxSkinJoints = 24;  ///< joints of a parent and its two children together
 
-/// How a split divides its ring (the mode value of kSplits).
-enum SplitMode : int32_t {
-  kModeRing = 0,     ///< closed ring: two cut vertices; open ring: one; a fan that is no ring: as kModeGeneral
-  kModeOpenTwo = 1,  ///< open ring with two cut vertices
-  kModeGeneral = 2,  ///< sides and faces listed one by one
-};
+/// What a closed ring's cut stream and kCutOpen say when sides and faces are listed one by one, as they always are for
+/// a fan that is no ring; other values are one more than a pair of vertices or, in open rings, than a vertex or behind
+/// these a pair.
+inline constexpr uint32_t kCutListed = 0;
 
 enum SkinMode : int32_t {
   kSkinSame = 0,  ///< both children have the parent's skin
@@ -249,12 +241,34 @@ struct Fan {
 
 enum class RingKind { kClosed, kOpen, kIrregular };
 
+/// The stream of a split's skin mode: `alike` of the fan's corners have a next node with the split node's skin.
+constexpr uint32_t skinModeStream(uint32_t alike, uint32_t corners) {
+  if (alike == corners) return kSkinModesAll;
+  if (2 * alike >= corners) return kSkinModesMost;
+  return alike > 0 ? kSkinModesSome : kSkinModesNone;
+}
+
 /// The mean length of the edges to the next corners' nodes, each as its longest component; 0 without any.
 template <class NextPosition>
 constexpr uint32_t meanEdge(const Fan& fan, Int3 center, const NextPosition& next_position) {
   int64_t sum = 0;
   for (uint32_t i = 0; i < fan.count; ++i) sum += longest(minus(next_position(i), center));
   return fan.count ? static_cast<uint32_t>(sum / fan.count) : 0;
+}
+
+/// The ring's vertex that pairs of cut vertices are counted from, because cuts end there most often: the farthest from
+/// the split node, in the largest component; the first of equal ones. edge_begins(i): where edge i of the fan begins.
+template <class Ring, class EdgeBegins>
+constexpr uint32_t farthestVertex(const Ring& ring, Int3 center, const EdgeBegins& edge_begins) {
+  uint32_t farthest = 0;
+  int32_t most = -1;
+  for (uint32_t v = 0; v < ring.count; ++v) {
+    const int32_t distance = longest(minus(edge_begins(ring.edge[v]), center));
+    if (distance <= most) continue;
+    most = distance;
+    farthest = v;
+  }
+  return farthest;
 }
 
 /// A fan put in order: edge i runs from vertex i to vertex i + 1 (modulo count when closed; an open ring has count + 1

@@ -33,7 +33,7 @@ class SkinReader {
   explicit SkinReader(const PageData& page) : page_(page), low_bits_(page.low_bits[format::kLowSkins]) {}
 
   Children read(const QuantizedSkin& parent, int32_t t8) {
-    const int32_t mode = page_.streams[format::kSplits].attributes[format::kSplitSkin].values.at(modes_++);
+    const int32_t mode = page_.streams[format::kSkinModesAll].attributes[0].values.at(modes_++);
     if (mode == 0) return {parent, parent};
     std::vector<uint16_t> joints(parent.joint.begin(), parent.joint.begin() + parent.count);
     std::vector<int32_t> old(parent.weight.begin(), parent.weight.begin() + parent.count);
@@ -60,7 +60,7 @@ class SkinReader {
   }
 
   bool atEnd() const {
-    return modes_ == page_.streams[format::kSplits].attributes[format::kSplitSkin].values.size() &&
+    return modes_ == page_.streams[format::kSkinModesAll].attributes[0].values.size() &&
            news_ == count(format::kSkinNew) && ds_ == count(format::kSkinD) && es_ == count(format::kSkinE);
   }
 
@@ -104,7 +104,7 @@ const SkinRing kNoRing{kNoNeighbours, {}};
 void encodeAlone(const QuantizedSkin& parent, const QuantizedSkin& a, const QuantizedSkin& b, int32_t t8,
                  PageData& page) {
   Residuals residuals;
-  encodeSkins(parent, a, b, t8, kOne, kNoRing, page, residuals);
+  encodeSkins(parent, a, b, t8, kOne, kNoRing, page.streams[format::kSkinModesAll], page, residuals);
   residuals.finish(page);
 }
 
@@ -117,9 +117,7 @@ std::vector<int32_t> differences(const PageData& page) {
   return values;
 }
 
-int32_t onlyMode(const PageData& page) {
-  return page.streams[format::kSplits].attributes[format::kSplitSkin].values.at(0);
-}
+int32_t onlyMode(const PageData& page) { return page.streams[format::kSkinModesAll].attributes[0].values.at(0); }
 
 TEST(SkinCode, ChildrenLikeTheirParentCostOnlyTheMode) {
   const QuantizedSkin skin = skinOf({{3, 200}, {1, 55}});
@@ -168,7 +166,7 @@ TEST(SkinCode, JointsOfTheRingAreNamedByTheirPlaceThere) {
   const QuantizedSkin a = skinOf({{9, 128}, {4, 127}}), b = skinOf({{5, 255}}), parent = skinOf({{2, 255}});
   PageData page = emptyPage();
   Residuals residuals;
-  encodeSkins(parent, a, b, 0, kOne, ring, page, residuals);
+  encodeSkins(parent, a, b, 0, kOne, ring, page.streams[format::kSkinModesAll], page, residuals);
   // By their greatest weight 7, 9 and 5 stand at 0, 1 and 2; joint 4 is not among them and comes as 3 + 4.
   EXPECT_EQ(valuesOf(page, format::kSkinNew), (std::vector<int32_t>{3, 1, 2, 7}));
 }
@@ -210,8 +208,9 @@ TEST(SkinCode, EverySkinComesBack) {
         split.parent = interpolateSkin(split.b, split.a, split.t8, kOne, cap);
         break;
     }
-    encodeSkins(split.parent, split.a, split.b, split.t8, kOne, kNoRing, page, residuals);
-    ++modes[page.streams[format::kSplits].attributes[format::kSplitSkin].values.back()];
+    encodeSkins(split.parent, split.a, split.b, split.t8, kOne, kNoRing, page.streams[format::kSkinModesAll], page,
+                residuals);
+    ++modes[page.streams[format::kSkinModesAll].attributes[0].values.back()];
     splits.push_back(split);
   }
   residuals.finish(page);

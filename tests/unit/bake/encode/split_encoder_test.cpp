@@ -119,7 +119,7 @@ struct Tetrahedron {
 TEST(SplitEncoder, ChildrenAreNumberedOneAfterTheOther) {
   Tetrahedron tetrahedron;
   Encoding& e = tetrahedron.splitAll();
-  // 6 -> 5, 3; 5 -> 4, 2; 4 -> its children in the order that makes its ring a closed one in mode 0: 1, 0.
+  // 6 -> 5, 3; 5 -> 4, 2; 4 -> its children in the order that makes its ring a closed one: 1, 0.
   EXPECT_EQ(e.cut.node_hierarchy, (Ids{6, 5, 3, 4, 2, 1, 0}));
   EXPECT_EQ(e.cut.face_triangle.size(), 4u);
   EXPECT_EQ(hiddenFaces(e.cut), Ids{});
@@ -132,12 +132,11 @@ TEST(SplitEncoder, TetrahedronByHand) {
   // expected; the two faces of the third split have (0, 0, 8) and (0, 8, 0) beyond child B and expect 2.
   EXPECT_EQ(e.first(format::kSplits, format::kSplitT8),
             (Values{format::rankOfEighth(8, 4), format::rankOfEighth(6, 4), format::rankOfEighth(4, 2)}));
-  EXPECT_EQ(e.first(format::kSplits, format::kSplitMode), (Values{0, 0, 0}));
   // Fans without corners: no corner at B, no face; then two faces (4, 3, 2) and (2, 3, 4) to node 2 (vertex 3), which
   // no corner names: rank 0, id 0 and 2.
   EXPECT_EQ(e.first(format::kGeneral), (Values{0, 0, 0, 2, 0, 0, 0, 2, 1, 0, 0, 2}));
-  // The third split has a ring of two edges, cut at both of its vertices.
-  EXPECT_EQ(e.first(format::kCut3), Values{0});
+  // The third split has a ring of two edges, cut at both of its vertices: the only pair, said as 1 + 0.
+  EXPECT_EQ(e.first(format::kCut3), Values{1});
   EXPECT_EQ(e.encoder.page().max_fan, 2u);
   const PageData page = e.encoder.finish();
   EXPECT_EQ(page.streams[format::kSplits].attributes[format::kSplitLattice].values, Values(6, 0));  // none was moved
@@ -177,9 +176,9 @@ TEST(SplitEncoder, AnInnerEdgeIsOneSplitOfAnOpenRingWithTwoFaces) {
   ASSERT_EQ(e.base.streams[format::kBaseFaces].records(), 4u);
   const uint32_t node = e.cut.file_node[7];
   e.encoder.split(node);
-  // Ring 2, 3, 4, 5, 6 is open and all at child 0, which is B; cut at its ends 0 and 4: pair 4 * 3 / 2 + 0.
-  EXPECT_EQ(e.first(format::kSplits, format::kSplitMode), Values{format::kModeOpenTwo});
-  EXPECT_EQ(e.first(format::kCutOpen), Values{6});
+  // Ring 2, 3, 4, 5, 6 is open and all at child 0, which is B; cut at its ends 0 and 4: pair 4 * 3 / 2 + 0, behind
+  // the list and the five single vertices.
+  EXPECT_EQ(e.first(format::kCutOpen), Values{1 + 5 + 6});
   EXPECT_TRUE(e.first(format::kGeneral).empty());
   EXPECT_EQ(e.cut.face_wedges.size(), 6u);
 }
@@ -192,8 +191,7 @@ TEST(SplitEncoder, ABoundaryEdgeIsACutOfAnOpenRing) {
   e.encoder.split(e.cut.file_node[7]);
   // Ring 2, 3, 4 of two edges, both at child 0, which is B: the cut is at its beginning.
   EXPECT_EQ(e.first(format::kSplits, format::kSplitT8), Values{format::rankOfEighth(8, 4)});  // a flat patch
-  EXPECT_EQ(e.first(format::kSplits, format::kSplitMode), Values{format::kModeRing});
-  EXPECT_EQ(e.first(format::kCutOpen), Values{0});
+  EXPECT_EQ(e.first(format::kCutOpen), Values{1});
   EXPECT_TRUE(e.first(format::kGeneral).empty());
   EXPECT_EQ(e.cut.face_wedges.size(), 3u);
 }
