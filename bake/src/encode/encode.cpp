@@ -166,6 +166,10 @@ const char* streamKind(format::PageKind page, uint32_t stream) {
       return "tangents";
     case format::kColors:
       return "colours";
+    case format::kSkinModesAll:
+    case format::kSkinModesMost:
+    case format::kSkinModesSome:
+    case format::kSkinModesNone:
     case format::kSkinD:
     case format::kSkinE:
     case format::kSkinNew:
