@@ -8,18 +8,13 @@
 #include "lithe/format/file.h"
 #include "lithe/format/octahedral_chart.h"
 #include "page_base.h"
+#include "skin_decoder.h"
 #include "sort.h"
 
 namespace lithe::runtime {
 namespace {
 
 using format::kNoIndex;
-
-bool equal(const uint16_t* a, const uint16_t* b, size_t count) {
-  for (size_t i = 0; i < count; ++i)
-    if (a[i] != b[i]) return false;
-  return true;
-}
 
 constexpr int64_t kMostResidual = 1 << 18;  // of a component of D; keeps the arithmetic of planes within 64 bits
 
@@ -67,7 +62,7 @@ uint32_t SplitDecoder::splitNode(uint32_t node) {
   if (check == 0) check = moveFan();
   if (check == 0) check = addFaces();
   if (check == 0) check = readAttributes(node, t8_);
-  if (check == 0) check = readSkins(node, t8_);
+  if (check == 0) check = readSkins(node);
   return check;
 }
 
@@ -401,27 +396,6 @@ SplitDecoder::Expected SplitDecoder::expectDirection(const format::ChartedDirect
           ring.among(neighbours_.count, static_cast<uint32_t>(greatest_[at]))};
 }
 
-/// Of joints' weights around the parent's.
-void SplitDecoder::slopesOfWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints,
-                                   uint32_t count, format::RingSlope* slopes) const {
-  format::Moment moments[format::kMaxSkinJoints] = {};
-  int32_t of_parent[format::kMaxSkinJoints], e[format::kMaxSkinJoints];
-  for (uint32_t j = 0; j < count; ++j) of_parent[j] = j < parent_count ? at_parent[j] : 0;
-  for (uint32_t i = 0; i < neighbours_.count; ++i) {
-    const SkinRecord skin = skinOf(*out_, out_->wedge_node[neighbours_.wedge[i]], format_.max_influences);
-    for (uint32_t j = 0; j < count; ++j) e[j] = -of_parent[j];
-    for (uint32_t k = 0; k < skin.most && skin.weight[k] > 0; ++k) {
-      for (uint32_t j = 0; j < count; ++j)
-        if (joints[j] == skin.joint[k]) e[j] += skin.weight[k];
-    }
-    for (uint32_t j = 0; j < count; ++j) {
-      moments[j].add(neighbours_.r[i], e[j]);
-      slopes[j].widen(e[j]);
-    }
-  }
-  for (uint32_t j = 0; j < count; ++j) slopes[j].slope = neighbours_.gradient.of(moments[j]);
-}
-
 bool SplitDecoder::readDirection(IntReader* high, format::LowBits kind, uint32_t bias, const Expected& expected,
                                  int32_t t8, const format::ChartedDirection& parent, uint16_t* a, uint16_t* b) {
   const int32_t size = 2 * parent.chart.center;
@@ -647,131 +621,14 @@ format::WedgesInUse SplitDecoder::wedgesInUse(uint32_t node) const {
   return in_use;
 }
 
-namespace {
-
-struct WeightEntry {
-  uint32_t joint;
-  int32_t weight;
-};
-
-/// Keeps the positive weights in the order of a skin. Returns false when they are no skin.
-bool makeSkin(const PageFormat& format, WeightEntry* entries, uint32_t count, NodeSkin* skin) {
-  uint32_t kept = 0;
-  int64_t sum = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    if (entries[i].weight < 0) return false;
-    if (entries[i].weight > 0) entries[kept++] = entries[i];
-  }
-  if (kept == 0 || kept > format.max_influences) return false;
-  sortValues(entries, kept, [](const WeightEntry& x, const WeightEntry& y) {
-    return x.weight != y.weight ? x.weight > y.weight : x.joint < y.joint;
-  });
-  *skin = {};
-  skin->count = kept;
-  for (uint32_t i = 0; i < kept; ++i) {
-    if (static_cast<uint32_t>(entries[i].weight) > format.weight_one) return false;
-    skin->joint[i] = static_cast<uint16_t>(entries[i].joint);
-    skin->weight[i] = static_cast<uint16_t>(entries[i].weight);
-    sum += entries[i].weight;
-  }
-  return sum == format.weight_one && skinIsOrdered(*skin);
-}
-
-}  // namespace
-
-/// The parent's joints, then those that it lacks: by their place among the ring's, or by id.
-bool SplitDecoder::readJoints(const SkinRecord& parent, uint32_t* joints, uint32_t* count) {
-  const uint32_t parent_count = parent.count();
-  IntReader& news = streams_->values[format::kSkinNew][0];
-  const uint32_t new_count = static_cast<uint32_t>(news.next());
-  if (new_count > format::kMaxSkinJoints - parent_count) return false;
-  *count = parent_count + new_count;
-  for (uint32_t i = 0; i < parent_count; ++i) joints[i] = parent.joint[i];
-  if (new_count == 0) return true;
-  const format::RingJoints around = jointsAround(joints, parent_count);
-  for (uint32_t i = parent_count; i < *count; ++i) {
-    const uint32_t value = static_cast<uint32_t>(news.next());
-    joints[i] = value < around.count ? around.joint[value] : value - around.count;
-    if (joints[i] >= format_.joint_count) return false;
-    for (uint32_t j = 0; j < i; ++j)
-      if (joints[j] == joints[i]) return false;
-  }
-  return true;
-}
-
-format::RingJoints SplitDecoder::jointsAround(const uint32_t* known, uint32_t known_count) const {
-  format::RingJoints around;
-  for (uint32_t i = 0; i < neighbours_.count; ++i) {
-    const SkinRecord skin = skinOf(*out_, out_->wedge_node[neighbours_.wedge[i]], format_.max_influences);
-    for (uint32_t k = 0; k < skin.most && skin.weight[k] > 0; ++k) {
-      bool is_known = false;
-      for (uint32_t j = 0; j < known_count; ++j) is_known = is_known | (known[j] == skin.joint[k]);
-      if (!is_known) around.add(skin.joint[k], skin.weight[k]);
-    }
-  }
-  around.sort();
-  return around;
-}
-
-/// How the skins are said, from the stream of nodes with a ring like this one.
-int32_t SplitDecoder::readSkinMode(uint32_t node) {
-  const size_t values = size_t{2} * format_.max_influences;
-  const uint16_t* skin = out_->node_skin + values * node;
-  uint32_t alike = 0;
-  for (uint32_t i = 0; i < fan_.count; ++i) alike += equal(skin, out_->node_skin + values * fan_.next[i], values);
-  return streams_->values[format::skinModeStream(alike, fan_.count)][0].next();
-}
-
-uint32_t SplitDecoder::readSkins(uint32_t node, int32_t t8) {
-  const int32_t mode = readSkinMode(node);
+uint32_t SplitDecoder::readSkins(uint32_t node) {
+  SkinDecoder skins(format_, streams_, out_, neighbours_);
+  const int32_t mode = skins.readMode(node, fan_);
   if (mode > format::kSkinFree) return kCheckSplit;
-  const uint32_t influences = format_.max_influences, child_a = out_->node_count - 2;
-  const SkinRecord parent = skinOf(*out_, node, influences);
-  if (mode == format::kSkinSame) {
-    uint16_t* children = out_->node_skin + size_t{2} * influences * child_a;
-    memcpy(children, parent.joint, 2 * influences * sizeof(uint16_t));
-    memcpy(children + 2 * influences, parent.joint, 2 * influences * sizeof(uint16_t));
-    return 0;
-  }
   // With one wedge the attributes' ring is the whole fan's: it is still at hand.
-  if (out_->node_first_wedge[node + 1] - first_parent_wedge_ > 1) gatherRing(node, kNoIndex);
-  const uint32_t parent_count = parent.count();
-  uint32_t joints[format::kMaxSkinJoints], count = 0;
-  if (!readJoints(parent, joints, &count)) return kCheckChildSkin;
-  const int32_t bias = streams_->parameters[format::kSkinBias], strength = streams_->parameters[format::kSkinGradient];
-  format::RingSlope slopes[format::kMaxSkinJoints];
-  slopesOfWeights(parent.weight, parent_count, joints, count - 1, slopes);
-  WeightEntry a[format::kMaxSkinJoints] = {}, b[format::kMaxSkinJoints] = {};
-  const int32_t one = static_cast<int32_t>(format_.weight_one);
-  int32_t last_d = 0, sum_b = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    const bool last = i + 1 == count;
-    const int32_t of_parent = i < parent_count ? parent.weight[i] : 0;
-    int64_t d = last_d;
-    if (!last) {
-      const uint32_t spread = slopes[i].among(neighbours_.count, format_.weight_one);
-      d = int64_t{residual(&streams_->values[format::kSkinD][0], format::kLowSkins,
-                           format::lowBits(spread, static_cast<uint32_t>(bias)))} +
-          format::scaled(strength, slopes[i].slope);
-    }
-    if (d > one || d < -one) return kCheckChildSkin;
-    int32_t of_b;
-    if (mode == format::kSkinRule)
-      of_b = of_parent - format::eighths(static_cast<int32_t>(d), t8);
-    else
-      of_b = last ? one - sum_b : of_parent + streams_->values[format::kSkinE][0].next();
-    last_d -= last ? 0 : static_cast<int32_t>(d);
-    sum_b += of_b;
-    a[i] = {joints[i], static_cast<int32_t>(d)};
-    b[i] = {joints[i], of_b};
-  }
-  if (mode == format::kSkinRule) b[0].weight += one - sum_b;
-  for (uint32_t i = 0; i < count; ++i) a[i].weight += b[i].weight;
-  NodeSkin skins[2];
-  if (!makeSkin(format_, a, count, &skins[0]) || !makeSkin(format_, b, count, &skins[1])) return kCheckChildSkin;
-  storeSkin(skins[0], child_a, influences, out_);
-  storeSkin(skins[1], child_a + 1, influences, out_);
-  return 0;
+  if (mode != format::kSkinSame && out_->node_first_wedge[node + 1] - first_parent_wedge_ > 1)
+    gatherRing(node, kNoIndex);
+  return failUnless(skins.readChildren(node, mode, t8_), kCheckChildSkin);
 }
 
 }  // namespace lithe::runtime

@@ -76,8 +76,6 @@ class SplitDecoder {
   format::Int2 normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const;
   Expected expectPair(const uint16_t* parent, uint32_t at, int32_t strength) const;
   Expected expectDirection(const format::ChartedDirection& parent, uint32_t at, int32_t strength) const;
-  void slopesOfWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints, uint32_t count,
-                       format::RingSlope* slopes) const;
   format::Int3 position(uint32_t node) const {
     const uint16_t* p = out_->node_position + 3 * static_cast<size_t>(node);
     return {p[0], p[1], p[2]};
@@ -91,10 +89,7 @@ class SplitDecoder {
   uint32_t pickClass(const format::CornersBeside& beside);
   uint32_t pickThird(uint32_t node, uint32_t wedge_class, const format::CornersBeside& beside);
   format::WedgesInUse wedgesInUse(uint32_t node) const;
-  int32_t readSkinMode(uint32_t node);
-  uint32_t readSkins(uint32_t node, int32_t t8);
-  bool readJoints(const SkinRecord& parent, uint32_t* joints, uint32_t* count);
-  format::RingJoints jointsAround(const uint32_t* known, uint32_t known_count) const;
+  uint32_t readSkins(uint32_t node);
   uint32_t readUnsigned(uint32_t stream) { return static_cast<uint32_t>(streams_->values[stream][0].next()); }
   bool childWedge(uint32_t wedge_class, bool at_b, format::MemberGuess guess, uint32_t* wedge);
   uint32_t classOf(uint32_t fan_entry) const { return scratch_.wedge[fan_entry] - first_parent_wedge_; }
