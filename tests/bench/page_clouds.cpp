@@ -41,7 +41,8 @@ std::unique_ptr<CloudSet> cloudsOf(const uint8_t* page, size_t size, format::Wed
     const uint32_t records = varintOf(&at, end);
     if (records > 0) streams.push_back({records, varintOf(&at, end), columnsOf(base, s, has)});
   }
-  varintOf(&at, end);  // bytes of the low bits, which follow the streams
+  // The low bits follow the streams.
+  for (uint32_t kind = 0; kind < format::kLowBitsKinds; ++kind) varintOf(&at, end);
   auto clouds = std::make_unique<CloudSet>();
   for (const Stream& stream : streams) {
     if (stream.bytes > static_cast<size_t>(end - at)) throw bake::Error("a page ends before its streams do");
