@@ -83,7 +83,7 @@ bool SkinDecoder::readWeights(const SkinRecord& parent, const uint32_t* joints, 
                               int32_t t8, int32_t* d, int32_t* of_b) {
   const uint32_t parent_count = parent.count();
   format::RingSlope slopes[format::kMaxSkinJoints];
-  slopesOfWeights(parent.weight, parent_count, joints, count - 1, slopes);
+  slopesOfWeights(parent, joints, count - 1, slopes);
   const int32_t one = static_cast<int32_t>(format_.weight_one);
   int32_t last_d = 0, sum_b = 0;
   for (uint32_t i = 0; i < count; ++i) {
@@ -144,22 +144,22 @@ format::RingJoints SkinDecoder::jointsAround(const uint32_t* known, uint32_t kno
   return around;
 }
 
-/// Of joints' weights around the parent's.
-void SkinDecoder::slopesOfWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints,
-                                  uint32_t count, format::RingSlope* slopes) const {
+/// Of joints' weights around the parent's, whose joints come first.
+void SkinDecoder::slopesOfWeights(const SkinRecord& parent, const uint32_t* joints, uint32_t count,
+                                  format::RingSlope* slopes) const {
+  const size_t values = size_t{2} * format_.max_influences;
+  const uint32_t parent_count = parent.count();
   format::Moment moments[format::kMaxSkinJoints] = {};
-  int32_t of_parent[format::kMaxSkinJoints], e[format::kMaxSkinJoints];
-  for (uint32_t j = 0; j < count; ++j) of_parent[j] = j < parent_count ? at_parent[j] : 0;
   for (uint32_t i = 0; i < neighbours_.count; ++i) {
     const SkinRecord skin = skinOf(*out_, out_->wedge_node[neighbours_.wedge[i]], format_.max_influences);
-    for (uint32_t j = 0; j < count; ++j) e[j] = -of_parent[j];
-    for (uint32_t k = 0; k < skin.most && skin.weight[k] > 0; ++k) {
-      for (uint32_t j = 0; j < count; ++j)
-        if (joints[j] == skin.joint[k]) e[j] += skin.weight[k];
-    }
+    // Mostly: then no weight differs.
+    if (equal(skin.joint, parent.joint, values)) continue;
     for (uint32_t j = 0; j < count; ++j) {
-      moments[j].add(neighbours_.r[i], e[j]);
-      slopes[j].widen(e[j]);
+      int32_t e = j < parent_count ? -static_cast<int32_t>(parent.weight[j]) : 0;
+      for (uint32_t k = 0; k < skin.most; ++k)
+        if (skin.joint[k] == joints[j]) e += skin.weight[k];
+      moments[j].add(neighbours_.r[i], e);
+      slopes[j].widen(e);
     }
   }
   for (uint32_t j = 0; j < count; ++j) slopes[j].slope = neighbours_.gradient.of(moments[j]);

@@ -27,7 +27,7 @@ class SkinDecoder {
   bool readWeights(const SkinRecord& parent, const uint32_t* joints, uint32_t count, int32_t mode, int32_t t8,
                    int32_t* d, int32_t* of_b);
   int64_t readDifference(const format::RingSlope& around);
-  void slopesOfWeights(const uint16_t* at_parent, uint32_t parent_count, const uint32_t* joints, uint32_t count,
+  void slopesOfWeights(const SkinRecord& parent, const uint32_t* joints, uint32_t count,
                        format::RingSlope* slopes) const;
 
   const PageFormat& format_;
