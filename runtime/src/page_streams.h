@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "draco_cloud.h"
+#include "lithe/format/bytes.h"
 #include "page.h"
 
 namespace lithe::runtime {
@@ -62,20 +63,25 @@ struct BitReader {
   uint64_t bit = 0, bit_end = 0;
   bool overrun = false;
 
+  /// count 0..32
   uint32_t next(int32_t count) {
-    if (bit + static_cast<uint64_t>(count) > bit_end) {
+    const uint64_t after = bit + static_cast<uint64_t>(count);
+    if (after > bit_end) {
       overrun = true;
       return 0;
     }
-    uint32_t value = 0;
-    for (int32_t done = 0; done < count;) {
-      const uint32_t offset = static_cast<uint32_t>(bit & 7);
-      const int32_t take =
-          count - done < static_cast<int32_t>(8 - offset) ? count - done : static_cast<int32_t>(8 - offset);
-      value |= ((bytes[bit >> 3] >> offset) & ((1u << take) - 1)) << done;
-      bit += static_cast<uint64_t>(take);
-      done += take;
-    }
+    const uint64_t value = window() >> (bit & 7) & ((uint64_t{1} << count) - 1);
+    bit = after;
+    return static_cast<uint32_t>(value);
+  }
+
+  /// The eight bytes from the current one on; near the end what is left of them, and no byte beyond it.
+  uint64_t window() const {
+    const uint8_t* at = bytes + (bit >> 3);
+    const uint64_t left = ((bit_end + 7) >> 3) - (bit >> 3);
+    if (left >= 8) return format::loadU64(at);
+    uint64_t value = 0;
+    for (uint64_t i = 0; i < left; ++i) value |= uint64_t{at[i]} << (8 * i);
     return value;
   }
 
