@@ -56,7 +56,7 @@ uint32_t SplitDecoder::visitNodes(uint32_t* cursor, uint32_t first_node, uint32_
 uint32_t SplitDecoder::splitNode(uint32_t node) {
   if (!gatherFan(node)) return kCheckWork;
   format::buildRing(fan_, ring_);
-  uint32_t check = readSides(node);
+  uint32_t check = readSides();
   if (check == 0) check = placeChildren(node);
   if (check == 0) check = readClasses(node);
   if (check == 0) check = moveFan();
@@ -77,6 +77,7 @@ bool SplitDecoder::gatherFan(uint32_t node) {
   // Corners are linked in ascending order, each in front of the others.
   for (uint32_t i = 0; i < count / 2; ++i) exchange(scratch_.corner[i], scratch_.corner[count - 1 - i]);
   constexpr uint8_t kAfter[] = {1, 2, 0, 1};
+  const format::Int3 center = position(node);
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t corner = scratch_.corner[i], k = corner % 3;
     const uint32_t* wedges = out_->face_wedges + (corner - k);
@@ -85,7 +86,7 @@ bool SplitDecoder::gatherFan(uint32_t node) {
     for (uint32_t step = 0; step < 2; ++step) {
       const uint32_t wedge = wedges[kAfter[k + step]], other = out_->wedge_node[wedge];
       scratch_.other_wedge[step][i] = wedge;
-      scratch_.other_at[step][i] = position(other);
+      scratch_.other_at[step][i] = format::minus(position(other), center);
       nodes[step][i] = other;
     }
   }
@@ -94,17 +95,17 @@ bool SplitDecoder::gatherFan(uint32_t node) {
 }
 
 /// Which corners go to child B, and the new faces.
-uint32_t SplitDecoder::readSides(uint32_t node) {
+uint32_t SplitDecoder::readSides() {
   listed_ = ring_.kind == format::RingKind::kIrregular;
   if (listed_) return readList();
   const uint32_t stream = ring_.kind == format::RingKind::kClosed ? format::cutStream(ring_.count)
                                                                   : static_cast<uint32_t>(format::kCutOpen);
   const uint32_t value = static_cast<uint32_t>(streams_->values[stream][0].next());
   listed_ = value == format::kCutListed;
-  return listed_ ? readList() : cutRing(node, value - 1);
+  return listed_ ? readList() : cutRing(value - 1);
 }
 
-uint32_t SplitDecoder::cutRing(uint32_t node, uint32_t value) {
+uint32_t SplitDecoder::cutRing(uint32_t value) {
   const bool closed = ring_.kind == format::RingKind::kClosed;
   const uint32_t edges = ring_.count, vertices = closed ? edges : edges + 1;
   uint32_t p = value, q = edges;  // child B owns the edges [p, q)
@@ -114,7 +115,7 @@ uint32_t SplitDecoder::cutRing(uint32_t node, uint32_t value) {
     const uint32_t pair = closed ? value : value - vertices;
     if (pair >= vertices * (vertices - 1) / 2) return kCheckCut;
     format::pairOf(pair, &p, &q);
-    if (closed) countFromFarthest(node, &p, &q);
+    if (closed) countFromFarthest(&p, &q);
     // In a closed ring child A owns edge 0.
     inside_is_b = !closed || p != 0;
     face_count_ = 2;
@@ -126,9 +127,8 @@ uint32_t SplitDecoder::cutRing(uint32_t node, uint32_t value) {
 }
 
 /// A pair of a closed ring's vertices as the ring numbers them.
-void SplitDecoder::countFromFarthest(uint32_t node, uint32_t* p, uint32_t* q) const {
-  const uint32_t from =
-      format::farthestVertex(ring_, position(node), [&](uint32_t i) { return scratch_.other_at[0][i]; });
+void SplitDecoder::countFromFarthest(uint32_t* p, uint32_t* q) const {
+  const uint32_t from = format::farthestVertex(ring_, {0, 0, 0}, [&](uint32_t i) { return scratch_.other_at[0][i]; });
   const uint32_t a = (*p + from) % ring_.count, b = (*q + from) % ring_.count;
   *p = least(a, b);
   *q = greatest(a, b);
@@ -194,8 +194,7 @@ format::PredictedPlacement SplitDecoder::predictPlacement(format::Int3 center, f
   if (fan_.count > format::kMaxRing) return {};
   format::PlacementSums sums(d, ring_extent_);
   for (uint32_t i = 0; i < fan_.count; ++i)
-    sums.addFan(scratch_.at_b[i], format::minus(scratch_.other_at[0][i], center),
-                format::minus(scratch_.other_at[1][i], center));
+    sums.addFan(scratch_.at_b[i], scratch_.other_at[0][i], scratch_.other_at[1][i]);
   for (uint32_t i = 0; !listed_ && i < face_count_; ++i)
     sums.addCut(format::minus(position(ring_faces_[i].third), center), ring_faces_[i].first_is_a);
   return sums.solve();
@@ -212,10 +211,10 @@ void SplitDecoder::readLattice(format::Int3 d, int32_t step, const format::Predi
   k[plane.axis] = split[format::kSplitLatticeHeight].next() - plane.lift(k[plane.across[0]], k[plane.across[1]]);
 }
 
-/// Sums over the fan, and its box with the center.
-void SplitDecoder::sumSides(format::Int3 center, format::Int3* low_end, format::Int3* high_end) {
+/// Sums over the fan. Returns the longest side of its box with the split node.
+int32_t SplitDecoder::sumSides() {
   side_[0] = side_[1] = {};
-  format::Int3 low = center, high = center;
+  format::Int3 low{0, 0, 0}, high{0, 0, 0};
   const bool closed = ring_.kind == format::RingKind::kClosed;
   for (uint32_t i = 0; i < fan_.count; ++i) {
     const format::Int3 next = scratch_.other_at[0][i], previous = scratch_.other_at[1][i];
@@ -227,26 +226,23 @@ void SplitDecoder::sumSides(format::Int3 center, format::Int3* low_end, format::
     side.chord[0] += next.x - previous.x;
     side.chord[1] += next.y - previous.y;
     side.chord[2] += next.z - previous.z;
-    side.normal.add(center, next, previous);
+    side.normal.add({0, 0, 0}, next, previous);
     low = {least(low.x, next.x), least(low.y, next.y), least(low.z, next.z)};
     high = {greatest(high.x, next.x), greatest(high.y, next.y), greatest(high.z, next.z)};
     if (closed) continue;
     low = {least(low.x, previous.x), least(low.y, previous.y), least(low.z, previous.z)};
     high = {greatest(high.x, previous.x), greatest(high.y, previous.y), greatest(high.z, previous.z)};
   }
-  *low_end = low;
-  *high_end = high;
+  return greatest(high.x - low.x, greatest(high.y - low.y, high.z - low.z));
 }
 
 uint32_t SplitDecoder::placeChildren(uint32_t node) {
   const format::Int3 center = position(node);
   const int32_t w[3] = {center.x, center.y, center.z};
-  format::Int3 low_end, high_end;
-  sumSides(center, &low_end, &high_end);
+  const int32_t extent = sumSides();
   const format::AreaNormal &a_side = side_[0].normal, &b_side = side_[1].normal;
-  const int32_t extent = greatest(high_end.x - low_end.x, greatest(high_end.y - low_end.y, high_end.z - low_end.z));
   int32_t d[3];
-  const uint32_t mean_edge = format::meanEdge(fan_, center, [&](uint32_t i) { return scratch_.other_at[0][i]; });
+  const uint32_t mean_edge = format::meanEdge(fan_, {0, 0, 0}, [&](uint32_t i) { return scratch_.other_at[0][i]; });
   if (!readDifference(mean_edge, {a_side.x + b_side.x, a_side.y + b_side.y, a_side.z + b_side.z}, d))
     return kCheckPosition;
   const format::Int3 difference{d[0], d[1], d[2]};
@@ -331,12 +327,12 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
 }
 
 /// The neighbours along the faces at one wedge of the split node (kNoIndex: at all of them).
-void SplitDecoder::gatherRing(uint32_t node, uint32_t wedge) {
+void SplitDecoder::gatherRing(uint32_t wedge) {
   const uint32_t child_a = out_->node_count - 2;
   const format::Int3 d = format::minus(position(child_a), position(child_a + 1));
   auto gather = [&](auto includes) {
     format::gatherNeighbours(
-        fan_, ring_, position(node), d, ring_extent_, includes,
+        fan_, ring_, {0, 0, 0}, d, ring_extent_, includes,
         [&](uint32_t i, uint32_t step) { return scratch_.other_at[step][i]; },
         [&](uint32_t i, uint32_t step) { return scratch_.other_wedge[step][i]; }, neighbours_);
   };
@@ -349,12 +345,13 @@ void SplitDecoder::gatherRing(uint32_t node, uint32_t wedge) {
 /// Of the faces at one wedge of the split node.
 format::Int2 SplitDecoder::normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const {
   const uint32_t child_a = out_->node_count - 2, parent = out_->node_parent[child_a];
-  format::ChildNormals normals{{position(child_a), position(child_a + 1)}, {}};
+  const format::Int3 from = position(parent);
+  format::ChildNormals normals{{format::minus(position(child_a), from), format::minus(position(child_a + 1), from)},
+                               {}};
   if (out_->node_first_wedge[parent + 1] - first_parent_wedge_ == 1) {
     // All of them: their sums seen from the split node are known, and (n - c) x (p - c) = n x p + c x (n - p).
-    const format::Int3 from = position(parent);
     for (uint32_t side = 0; side < 2; ++side) {
-      const format::Int3 c = format::minus(normals.child[side], from);
+      const format::Int3 c = normals.child[side];
       const int64_t* chord = side_[side].chord;
       normals.normal[side] = side_[side].normal;
       normals.normal[side].x += c.y * chord[2] - c.z * chord[1];
@@ -367,7 +364,7 @@ format::Int2 SplitDecoder::normalDifference(uint32_t wedge, const format::Octahe
         [&](uint32_t i, uint32_t step) { return scratch_.other_at[step][i]; });
   }
   for (uint32_t i = 0; !listed_ && i < face_count_; ++i)
-    normals.addCut(position(ring_faces_[i].third), ring_faces_[i].first_is_a);
+    normals.addCut(format::minus(position(ring_faces_[i].third), from), ring_faces_[i].first_is_a);
   return format::normalDifference(normals.normal[0], normals.normal[1], chart);
 }
 
@@ -422,7 +419,7 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
     if (c.atBoth()) {
       const bool predicted = count <= format::kMaxPredictedClasses && fan_.count <= format::kMaxRing;
       neighbours_.count = 0;
-      if (predicted) gatherRing(node, count > 1 ? first_parent_wedge_ + i : kNoIndex);
+      if (predicted) gatherRing(count > 1 ? first_parent_wedge_ + i : kNoIndex);
       if (!readPair(first_parent_wedge_ + i, predicted, t8, parent, record(c.first[0]), record(c.first[1])))
         return kCheckWedge;
     } else {
@@ -626,8 +623,7 @@ uint32_t SplitDecoder::readSkins(uint32_t node) {
   const int32_t mode = skins.readMode(node, fan_);
   if (mode > format::kSkinFree) return kCheckSplit;
   // With one wedge the attributes' ring is the whole fan's: it is still at hand.
-  if (mode != format::kSkinSame && out_->node_first_wedge[node + 1] - first_parent_wedge_ > 1)
-    gatherRing(node, kNoIndex);
+  if (mode != format::kSkinSame && out_->node_first_wedge[node + 1] - first_parent_wedge_ > 1) gatherRing(kNoIndex);
   return failUnless(skins.readChildren(node, mode, t8_), kCheckChildSkin);
 }
 

@@ -15,7 +15,7 @@ namespace lithe::runtime {
 
 /// Sums over the faces of one child before it has moved there.
 struct SideSum {
-  int64_t neighbours[3];      ///< of the positions of their two other corners
+  int64_t neighbours[3];      ///< of the positions of their two other corners, seen from the split node
   int64_t count;              ///< of these corners
   format::AreaNormal normal;  ///< seen from the split node
   int64_t chord[3];           ///< of the ways from the previous to the next corner
@@ -29,7 +29,7 @@ struct FanScratch {
   uint32_t* previous;
   uint32_t* wedge;            ///< the corner's wedge at the split node, before it moves
   uint32_t* other_wedge[2];   ///< those of its face's next and previous corners
-  format::Int3* other_at[2];  ///< and the positions of their nodes
+  format::Int3* other_at[2];  ///< and where their nodes lie, seen from the split node
   WedgeClass* classes;        ///< per wedge of the split node
   uint32_t* sorted;           ///< 2 * capacity: the neighbours, for lists that name them by rank
   uint8_t* at_b;
@@ -59,20 +59,20 @@ class SplitDecoder {
   uint32_t visitNodes(uint32_t* cursor, uint32_t first_node, uint32_t node_end, bool to_the_last);
   uint32_t splitNode(uint32_t node);
   bool gatherFan(uint32_t node);
-  uint32_t readSides(uint32_t node);
-  uint32_t cutRing(uint32_t node, uint32_t value);
-  void countFromFarthest(uint32_t node, uint32_t* p, uint32_t* q) const;
+  uint32_t readSides();
+  uint32_t cutRing(uint32_t value);
+  void countFromFarthest(uint32_t* p, uint32_t* q) const;
   uint32_t readList();
   uint32_t listedNode(uint32_t neighbour_count, uint32_t* node);
   uint32_t placeChildren(uint32_t node);
   format::PredictedPlacement predictPlacement(format::Int3 center, format::Int3 d) const;
-  void sumSides(format::Int3 center, format::Int3* low_end, format::Int3* high_end);
+  int32_t sumSides();
   bool readDifference(uint32_t mean_edge, const format::Plane& plane, int32_t* d);
   void readLattice(format::Int3 d, int32_t step, const format::PredictedPlacement& predicted, int64_t* k);
   uint32_t readClasses(uint32_t node);
   uint32_t readAttributes(uint32_t node, int32_t t8);
   bool readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
-  void gatherRing(uint32_t node, uint32_t wedge);
+  void gatherRing(uint32_t wedge);
   format::Int2 normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const;
   Expected expectPair(const uint16_t* parent, uint32_t at, int32_t strength) const;
   Expected expectDirection(const format::ChartedDirection& parent, uint32_t at, int32_t strength) const;
