@@ -266,7 +266,6 @@ uint32_t SplitDecoder::placeChildren(uint32_t node) {
   for (uint32_t child = child_a; child <= child_b; ++child) {
     out_->node_parent[child] = node;
     out_->node_first_child[child] = kNoIndex;
-    out_->node_first_corner[child] = kNoIndex;
   }
   return 0;
 }
@@ -500,15 +499,48 @@ bool SplitDecoder::childWedge(uint32_t wedge_class, bool at_b, format::MemberGue
 }
 
 uint32_t SplitDecoder::moveFan() {
-  for (uint32_t e = 0; e < fan_.count; ++e) {
-    const uint32_t i = listed_ ? e : ring_.edge[e], at_b = scratch_.at_b[i], wedge_class = classOf(i);
-    uint32_t wedge;
-    if (!childWedge(wedge_class, at_b, scratch_.classes[wedge_class].members[at_b].guessForFan(), &wedge))
-      return kCheckPick;
-    out_->face_wedges[fan_.corner[i]] = wedge;
+  if (class_count_ == 1 && !has_further_wedges_) {
+    if (!moveToOnlyWedges()) return kCheckPick;
+  } else {
+    for (uint32_t e = 0; e < fan_.count; ++e) {
+      const uint32_t i = listed_ ? e : ring_.edge[e], at_b = scratch_.at_b[i], wedge_class = classOf(i);
+      uint32_t wedge;
+      if (!childWedge(wedge_class, at_b, scratch_.classes[wedge_class].members[at_b].guessForFan(), &wedge))
+        return kCheckPick;
+      out_->face_wedges[fan_.corner[i]] = wedge;
+    }
   }
-  for (uint32_t i = 0; i < fan_.count; ++i) linkCorner(out_, fan_.corner[i]);
+  linkFan();
   return 0;
+}
+
+/// Of children with at most one wedge each: nothing is read.
+bool SplitDecoder::moveToOnlyWedges() {
+  WedgeClass& only = scratch_.classes[0];
+  for (uint32_t side = 0; side < 2; ++side) {
+    if (!only.has_corners[side]) continue;
+    if (only.members[side].count == 0) return false;
+    only.members[side].meet(0);
+  }
+  const uint32_t first[2] = {only.first[0], only.first[1]}, count = fan_.count;
+  uint32_t* const face_wedges = out_->face_wedges;
+  for (uint32_t i = 0; i < count; ++i) face_wedges[scratch_.corner[i]] = first[scratch_.at_b[i]];
+  return true;
+}
+
+/// As linkCorner does with each corner, but both children's lists begin here.
+void SplitDecoder::linkFan() {
+  uint32_t first_corner[2] = {kNoIndex, kNoIndex};
+  uint32_t* const corner_next = out_->corner_next;
+  const uint32_t count = fan_.count;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t corner = scratch_.corner[i], at_b = scratch_.at_b[i];
+    corner_next[corner] = first_corner[at_b];
+    first_corner[at_b] = corner;
+  }
+  const uint32_t child_a = out_->node_count - 2;
+  out_->node_first_corner[child_a] = first_corner[0];
+  out_->node_first_corner[child_a + 1] = first_corner[1];
 }
 
 uint32_t SplitDecoder::addFaces() {

@@ -83,6 +83,8 @@ class SplitDecoder {
   bool readDirection(IntReader* high, format::LowBits kind, uint32_t bias, const Expected& expected, int32_t t8,
                      const format::ChartedDirection& parent, uint16_t* a, uint16_t* b);
   uint32_t moveFan();
+  bool moveToOnlyWedges();
+  void linkFan();
   uint32_t addFaces();
   uint32_t addFace(const NewFace& face);
   uint32_t pickWedges(const NewFace& face, uint32_t* wedges);
