@@ -67,31 +67,41 @@ uint32_t SplitDecoder::splitNode(uint32_t node) {
 }
 
 bool SplitDecoder::gatherFan(uint32_t node) {
-  uint32_t count = 0;
-  for (uint32_t corner = out_->node_first_corner[node]; corner != kNoIndex; corner = out_->corner_next[corner]) {
-    if (count == scratch_.capacity) return false;
-    scratch_.corner[count++] = corner;
+  // Corners are linked in ascending order, each in front of the others: the list fills the fan from its end.
+  uint32_t* const corner_end = scratch_.corner + scratch_.capacity;
+  uint32_t* first = corner_end;
+  const uint32_t* const corner_next = out_->corner_next;
+  for (uint32_t corner = out_->node_first_corner[node]; corner != kNoIndex; corner = corner_next[corner]) {
+    if (first == scratch_.corner) return false;
+    *--first = corner;
   }
+  const uint32_t count = static_cast<uint32_t>(corner_end - first);
   work_ += count;
   if (work_ > format::kMaxPageWork) return false;
-  // Corners are linked in ascending order, each in front of the others.
-  for (uint32_t i = 0; i < count / 2; ++i) exchange(scratch_.corner[i], scratch_.corner[count - 1 - i]);
-  constexpr uint8_t kAfter[] = {1, 2, 0, 1};
-  const format::Int3 center = position(node);
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t corner = scratch_.corner[i], k = corner % 3;
-    const uint32_t* wedges = out_->face_wedges + (corner - k);
-    scratch_.wedge[i] = wedges[k];
-    uint32_t* const nodes[2] = {scratch_.next, scratch_.previous};
-    for (uint32_t step = 0; step < 2; ++step) {
-      const uint32_t wedge = wedges[kAfter[k + step]], other = out_->wedge_node[wedge];
-      scratch_.other_wedge[step][i] = wedge;
-      scratch_.other_at[step][i] = format::minus(position(other), center);
-      nodes[step][i] = other;
-    }
-  }
-  fan_ = {count, scratch_.corner, scratch_.next, scratch_.previous};
+  fan_ = {count, first, scratch_.next, scratch_.previous};
+  gatherFaces(position(node));
   return true;
+}
+
+/// What stands at the fan's faces.
+/// center  the split node
+void SplitDecoder::gatherFaces(format::Int3 center) {
+  const FanScratch to = scratch_;
+  const uint32_t count = fan_.count;
+  const uint32_t *const corners = fan_.corner, *const face_wedges = out_->face_wedges, *const nodes = out_->wedge_node;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t corner = corners[i], k = corner % 3;
+    const uint32_t next = face_wedges[k == 2 ? corner - 2 : corner + 1];
+    const uint32_t previous = face_wedges[k == 0 ? corner + 2 : corner - 1];
+    const uint32_t next_node = nodes[next], previous_node = nodes[previous];
+    to.wedge[i] = face_wedges[corner];
+    to.other_wedge[0][i] = next;
+    to.other_wedge[1][i] = previous;
+    to.next[i] = next_node;
+    to.previous[i] = previous_node;
+    to.other_at[0][i] = format::minus(position(next_node), center);
+    to.other_at[1][i] = format::minus(position(previous_node), center);
+  }
 }
 
 /// Which corners go to child B, and the new faces.
@@ -524,7 +534,7 @@ bool SplitDecoder::moveToOnlyWedges() {
   }
   const uint32_t first[2] = {only.first[0], only.first[1]}, count = fan_.count;
   uint32_t* const face_wedges = out_->face_wedges;
-  for (uint32_t i = 0; i < count; ++i) face_wedges[scratch_.corner[i]] = first[scratch_.at_b[i]];
+  for (uint32_t i = 0; i < count; ++i) face_wedges[fan_.corner[i]] = first[scratch_.at_b[i]];
   return true;
 }
 
@@ -534,7 +544,7 @@ void SplitDecoder::linkFan() {
   uint32_t* const corner_next = out_->corner_next;
   const uint32_t count = fan_.count;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t corner = scratch_.corner[i], at_b = scratch_.at_b[i];
+    const uint32_t corner = fan_.corner[i], at_b = scratch_.at_b[i];
     corner_next[corner] = first_corner[at_b];
     first_corner[at_b] = corner;
   }

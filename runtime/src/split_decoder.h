@@ -24,7 +24,7 @@ struct SideSum {
 /// Memory for the node that is being split: max_fan entries each.
 struct FanScratch {
   uint32_t capacity;
-  uint32_t* corner;
+  uint32_t* corner;  ///< filled from the end
   uint32_t* next;
   uint32_t* previous;
   uint32_t* wedge;            ///< the corner's wedge at the split node, before it moves
@@ -59,6 +59,7 @@ class SplitDecoder {
   uint32_t visitNodes(uint32_t* cursor, uint32_t first_node, uint32_t node_end, bool to_the_last);
   uint32_t splitNode(uint32_t node);
   bool gatherFan(uint32_t node);
+  void gatherFaces(format::Int3 center);
   uint32_t readSides();
   uint32_t cutRing(uint32_t value);
   void countFromFarthest(uint32_t* p, uint32_t* q) const;
