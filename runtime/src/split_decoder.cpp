@@ -285,7 +285,10 @@ uint32_t SplitDecoder::readClasses(uint32_t node) {
   const uint32_t count = class_count_ = out_->node_first_wedge[node + 1] - first_parent_wedge_;
   if (count > scratch_.capacity) return kCheckWork;
   for (uint32_t i = 0; i < count; ++i) scratch_.classes[i] = {};
-  for (uint32_t i = 0; i < fan_.count; ++i) scratch_.classes[classOf(i)].has_corners[scratch_.at_b[i]] = true;
+  if (count == 1)
+    for (uint32_t side = 0; side < 2; ++side) scratch_.classes[0].has_corners[side] = side_[side].count > 0;
+  else
+    for (uint32_t i = 0; i < fan_.count; ++i) scratch_.classes[classOf(i)].has_corners[scratch_.at_b[i]] = true;
   uint64_t total_a = 0, total_b = 0;
   has_further_wedges_ = false;
   for (uint32_t i = 0; i < count; ++i) {

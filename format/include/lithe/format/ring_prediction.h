@@ -103,6 +103,19 @@ struct RingJoints {
   }
 };
 
+/// M of the neighbours: what is there twice counts as two, and its doubled product is that of four.
+inline GradientSums sumsOf(const RingNeighbours& neighbours, const bool* twice) {
+  GradientSums sums, doubles;
+  for (uint32_t i = 0; i < neighbours.count; ++i) (twice[i] ? doubles : sums).add(neighbours.r[i]);
+  sums.xx += doubles.xx >> 1;
+  sums.xy += doubles.xy >> 1;
+  sums.xz += doubles.xz >> 1;
+  sums.yy += doubles.yy >> 1;
+  sums.yz += doubles.yz >> 1;
+  sums.zz += doubles.zz >> 1;
+  return sums;
+}
+
 /// Of the fan's corners for whose index includes(i) is true; a fan beyond kMaxRing has none.
 /// center    of the split node
 /// d         the difference of the children's positions
@@ -116,7 +129,7 @@ void gatherNeighbours(const Fan& fan, const Ring& ring, Int3 center, Int3 d, uin
   out.gradient = {};
   if (fan.count > kMaxRing) return;
   const int32_t shift = gradientShift(extent);
-  GradientSums sums;
+  bool twice[2 * kMaxRing];
   // Along a ring an edge ends where the next one begins: mostly in one wedge, which is then added once for both.
   const bool ordered = ring.kind != RingKind::kIrregular;
   const uint32_t first = ordered ? ring.edge[0] : 0;
@@ -129,18 +142,17 @@ void gatherNeighbours(const Fan& fan, const Ring& ring, Int3 center, Int3 d, uin
       const bool meets = step == 0 ? follows : last && includes(first);
       const uint32_t other = step == 0 ? out.count - 1 : 0;
       if (meets && out.wedge[other] == wedge) {
-        sums.add(out.r[other]);
+        twice[other] = true;
         out.r[other] = doubled(out.r[other]);
         continue;
       }
-      const Int3 r = shifted(minus(position(i, step), center), shift);
+      twice[out.count] = false;
       out.wedge[out.count] = wedge;
-      out.r[out.count++] = r;
-      sums.add(r);
+      out.r[out.count++] = shifted(minus(position(i, step), center), shift);
     }
     follows = ordered && included;
   }
-  out.gradient = solveGradient(sums, shifted(d, shift));
+  out.gradient = solveGradient(sumsOf(out, twice), shifted(d, shift));
 }
 
 /// The area normals of child A's and child B's faces.
