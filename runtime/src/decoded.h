@@ -33,6 +33,13 @@ struct SkinRecord {
     while (count < most && weight[count] > 0) ++count;
     return count;
   }
+
+  /// 0 for a joint that has none.
+  int32_t weightOf(uint32_t of_joint) const {
+    for (uint32_t k = 0; k < most; ++k)
+      if (joint[k] == of_joint) return weight[k];
+    return 0;
+  }
 };
 
 /// Attributes of a wedge, `stride` int16/uint16 values each, in this order: normal x y, tangent x y sign, uv0 x y, ...,

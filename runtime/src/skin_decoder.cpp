@@ -144,25 +144,21 @@ format::RingJoints SkinDecoder::jointsAround(const uint32_t* known, uint32_t kno
   return around;
 }
 
-/// Of joints' weights around the parent's, whose joints come first.
+/// Of joints' weights around the parent's, whose joints come first; without slopes when nothing is predicted from them.
 void SkinDecoder::slopesOfWeights(const SkinRecord& parent, const uint32_t* joints, uint32_t count,
                                   format::RingSlope* slopes) const {
-  const size_t values = size_t{2} * format_.max_influences;
+  const bool predicted = streams_->parameters[format::kSkinGradient] > 0;
   const uint32_t parent_count = parent.count();
   format::Moment moments[format::kMaxSkinJoints] = {};
   for (uint32_t i = 0; i < neighbours_.count; ++i) {
     const SkinRecord skin = skinOf(*out_, out_->wedge_node[neighbours_.wedge[i]], format_.max_influences);
-    // Mostly: then no weight differs.
-    if (equal(skin.joint, parent.joint, values)) continue;
     for (uint32_t j = 0; j < count; ++j) {
-      int32_t e = j < parent_count ? -static_cast<int32_t>(parent.weight[j]) : 0;
-      for (uint32_t k = 0; k < skin.most; ++k)
-        if (skin.joint[k] == joints[j]) e += skin.weight[k];
-      moments[j].add(neighbours_.r[i], e);
+      const int32_t e = skin.weightOf(joints[j]) - (j < parent_count ? parent.weight[j] : 0);
       slopes[j].widen(e);
+      if (predicted) moments[j].add(neighbours_.r[i], e);
     }
   }
-  for (uint32_t j = 0; j < count; ++j) slopes[j].slope = neighbours_.gradient.of(moments[j]);
+  for (uint32_t j = 0; predicted && j < count; ++j) slopes[j].slope = neighbours_.gradient.of(moments[j]);
 }
 
 }  // namespace lithe::runtime
