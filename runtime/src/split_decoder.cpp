@@ -191,7 +191,7 @@ bool SplitDecoder::readDifference(uint32_t mean_edge, const format::Plane& plane
   const int64_t most = int64_t{1} << format_.position_bits;
   for (int c = 0; c < 3; ++c) {
     const format::Slope means =
-        format::meanDifference(side_[0].neighbours[c], side_[0].count, side_[1].neighbours[c], side_[1].count);
+        format::meanDifference(side_[0].neighbours(c), 2 * side_[0].count, side_[1].neighbours(c), 2 * side_[1].count);
     const int64_t exact = left[c] + format::scaled(parameters[format::kPositionMean], means);
     if (exact >= most || exact <= -most) return false;
     d[c] = static_cast<int32_t>(exact);
@@ -229,13 +229,13 @@ int32_t SplitDecoder::sumSides() {
   for (uint32_t i = 0; i < fan_.count; ++i) {
     const format::Int3 next = scratch_.other_at[0][i], previous = scratch_.other_at[1][i];
     SideSum& side = side_[scratch_.at_b[i]];
-    side.count += 2;
-    side.neighbours[0] += next.x + previous.x;
-    side.neighbours[1] += next.y + previous.y;
-    side.neighbours[2] += next.z + previous.z;
-    side.chord[0] += next.x - previous.x;
-    side.chord[1] += next.y - previous.y;
-    side.chord[2] += next.z - previous.z;
+    ++side.count;
+    side.next[0] += next.x;
+    side.next[1] += next.y;
+    side.next[2] += next.z;
+    side.previous[0] += previous.x;
+    side.previous[1] += previous.y;
+    side.previous[2] += previous.z;
     side.normal.add({0, 0, 0}, next, previous);
     low = {least(low.x, next.x), least(low.y, next.y), least(low.z, next.z)};
     high = {greatest(high.x, next.x), greatest(high.y, next.y), greatest(high.z, next.z)};
@@ -364,7 +364,7 @@ format::Int2 SplitDecoder::normalDifference(uint32_t wedge, const format::Octahe
     // All of them: their sums seen from the split node are known, and (n - c) x (p - c) = n x p + c x (n - p).
     for (uint32_t side = 0; side < 2; ++side) {
       const format::Int3 c = normals.child[side];
-      const int64_t* chord = side_[side].chord;
+      const int64_t chord[3] = {side_[side].chord(0), side_[side].chord(1), side_[side].chord(2)};
       normals.normal[side] = side_[side].normal;
       normals.normal[side].x += c.y * chord[2] - c.z * chord[1];
       normals.normal[side].y += c.z * chord[0] - c.x * chord[2];
@@ -613,7 +613,12 @@ uint32_t SplitDecoder::pickWedges(const NewFace& face, uint32_t* wedges) {
 
 /// The wedge of a new face's corner at a child, beside a corner of the fan that has gone there (kNoIndex: none).
 bool SplitDecoder::pickFaceMember(uint32_t wedge_class, bool at_b, uint32_t beside, uint32_t* wedge) {
-  const WedgeClass& c = scratch_.classes[wedge_class];
+  WedgeClass& c = scratch_.classes[wedge_class];
+  if (c.members[at_b].count == 1) {
+    c.members[at_b].meet(0);
+    *wedge = c.first[at_b];
+    return true;
+  }
   const bool same_class = beside != kNoIndex && classOf(beside) == wedge_class;
   const uint32_t member = same_class ? out_->face_wedges[fan_.corner[beside]] - c.first[at_b] : kNoIndex;
   return childWedge(wedge_class, at_b, c.members[at_b].guessForFace(member), wedge);

@@ -15,10 +15,13 @@ namespace lithe::runtime {
 
 /// Sums over the faces of one child before it has moved there.
 struct SideSum {
-  int64_t neighbours[3];      ///< of the positions of their two other corners, seen from the split node
-  int64_t count;              ///< of these corners
-  format::AreaNormal normal;  ///< seen from the split node
-  int64_t chord[3];           ///< of the ways from the previous to the next corner
+  int64_t count;
+  int64_t next[3], previous[3];  ///< positions of their two other corners, seen from the split node
+  format::AreaNormal normal;     ///< seen from there too
+
+  int64_t neighbours(uint32_t c) const { return next[c] + previous[c]; }
+  /// Of the ways from the previous to the next corners.
+  int64_t chord(uint32_t c) const { return next[c] - previous[c]; }
 };
 
 /// Memory for the node that is being split: max_fan entries each.

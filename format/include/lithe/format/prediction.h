@@ -33,7 +33,7 @@ struct Slope {
 /// floor(strength / 16 of a slope), held within what any difference can be; strength is 0 .. 32.
 constexpr int32_t scaled(int32_t strength, Slope slope) {
   constexpr int64_t kMost = 1 << 17;
-  if (slope.den <= 0) return 0;
+  if (strength == 0 || slope.den <= 0) return 0;
   const int64_t value = floorDivide(strength * slope.num, 16 * slope.den);
   return static_cast<int32_t>(value < -kMost ? -kMost : value > kMost ? kMost : value);
 }
