@@ -86,15 +86,16 @@ bool SplitDecoder::gatherFan(uint32_t node) {
 /// What stands at the fan's faces.
 /// center  the split node
 void SplitDecoder::gatherFaces(format::Int3 center) {
+  constexpr uint8_t kAfter[] = {1, 2, 0, 1};
   const FanScratch to = scratch_;
   const uint32_t count = fan_.count;
   const uint32_t *const corners = fan_.corner, *const face_wedges = out_->face_wedges, *const nodes = out_->wedge_node;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t corner = corners[i], k = corner % 3;
-    const uint32_t next = face_wedges[k == 2 ? corner - 2 : corner + 1];
-    const uint32_t previous = face_wedges[k == 0 ? corner + 2 : corner - 1];
+    const uint32_t* const wedges = face_wedges + (corner - k);
+    const uint32_t next = wedges[kAfter[k]], previous = wedges[kAfter[k + 1]];
     const uint32_t next_node = nodes[next], previous_node = nodes[previous];
-    to.wedge[i] = face_wedges[corner];
+    to.wedge[i] = wedges[k];
     to.other_wedge[0][i] = next;
     to.other_wedge[1][i] = previous;
     to.next[i] = next_node;

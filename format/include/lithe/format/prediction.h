@@ -23,7 +23,7 @@ constexpr int32_t bitLength(uint64_t v) {
 }
 
 /// floor(a / b) for b > 0.
-constexpr int64_t floorDivide(int64_t a, int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+constexpr int64_t floorDivide(int64_t a, int64_t b) { return a / b - (a % b < 0); }
 
 /// A predicted difference as a fraction; den <= 0: nothing is known.
 struct Slope {
