@@ -36,9 +36,9 @@ struct SkinRecord {
 
   /// 0 for a joint that has none.
   int32_t weightOf(uint32_t of_joint) const {
-    for (uint32_t k = 0; k < most; ++k)
-      if (joint[k] == of_joint) return weight[k];
-    return 0;
+    int32_t found = 0;  // without branches: which joint it is cannot be foreseen
+    for (uint32_t k = 0; k < most; ++k) found += weight[k] & -static_cast<int32_t>(joint[k] == of_joint);
+    return found;
   }
 };
 

@@ -282,9 +282,14 @@ struct Ring {
 
 /// The first edge that begins where edge i ends, or the fan's count.
 inline uint32_t edgeAfter(const Fan& fan, uint32_t i) {
-  uint32_t j = 0;
-  while (j < fan.count && fan.next[j] != fan.previous[i]) ++j;
-  return j;
+  // Looks at all of them: where a search stops cannot be foreseen, and costs a processor more than the rest of it.
+  const uint32_t node = fan.previous[i];
+  uint32_t after = 0, found = 0;
+  for (uint32_t j = 0; j < fan.count; ++j) {
+    found |= fan.next[j] == node;
+    after += found ^ 1;
+  }
+  return after;
 }
 
 /// Goes on from an edge until there is no next one or it is back; returns where it stands then: an edge, or the fan's
