@@ -5,12 +5,16 @@
 #include <string.h>
 
 #include "lithe/format/octahedral_chart.h"
+#include "sort.h"
 
 namespace lithe::runtime {
 
 using format::kNoIndex;
 
 bool FurtherDecoder::readChild(uint32_t side) {
+  uint32_t most = 0;
+  for (uint32_t i = 0; i < class_count_; ++i) most = greatest(most, classes_[i].members[side].count);
+  if (most < 2) return true;
   child_ = out_->node_count - 2 + side;
   gatherCorners();
   for (uint32_t i = 0; i < class_count_; ++i) {

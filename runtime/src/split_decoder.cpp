@@ -61,7 +61,7 @@ uint32_t SplitDecoder::splitNode(uint32_t node) {
   if (check == 0) check = readClasses(node);
   if (check == 0) check = moveFan();
   if (check == 0) check = addFaces();
-  if (check == 0) check = readAttributes(node, t8_);
+  if (check == 0) check = readAttributes();
   if (check == 0) check = readSkins(node);
   return check;
 }
@@ -111,7 +111,7 @@ uint32_t SplitDecoder::readSides() {
   if (listed_) return readList();
   const uint32_t stream = ring_.kind == format::RingKind::kClosed ? format::cutStream(ring_.count)
                                                                   : static_cast<uint32_t>(format::kCutOpen);
-  const uint32_t value = static_cast<uint32_t>(streams_->values[stream][0].next());
+  const uint32_t value = readUnsigned(stream);
   listed_ = value == format::kCutListed;
   return listed_ ? readList() : cutRing(value - 1);
 }
@@ -146,30 +146,28 @@ void SplitDecoder::countFromFarthest(uint32_t* p, uint32_t* q) const {
 }
 
 uint32_t SplitDecoder::readList() {
-  IntReader& list = streams_->values[format::kGeneral][0];
-  const uint32_t count_b = static_cast<uint32_t>(list.next());
+  const uint32_t count_b = readUnsigned(format::kGeneral);
   if (count_b > fan_.count) return kCheckGeneral;
   if (fan_.count > 0) memset(scratch_.at_b, 0, fan_.count);
   uint64_t next = 0;
   for (uint32_t i = 0; i < count_b; ++i) {
-    next += static_cast<uint32_t>(list.next());
+    next += readUnsigned(format::kGeneral);
     if (next >= fan_.count) return kCheckGeneral;
     scratch_.at_b[next++] = 1;
   }
-  face_count_ = static_cast<uint32_t>(list.next());
+  face_count_ = readUnsigned(format::kGeneral);
   return failUnless(face_count_ <= plan_.face_count - out_->face_count, kCheckGeneral);
 }
 
 /// The third node of a listed face: by rank among the fan's neighbours, or by id.
 uint32_t SplitDecoder::listedNode(uint32_t neighbour_count, uint32_t* node) {
-  IntReader& list = streams_->values[format::kGeneral][0];
-  const uint32_t rank = static_cast<uint32_t>(list.next());
+  const uint32_t rank = readUnsigned(format::kGeneral);
   if (rank > neighbour_count) return kCheckGeneral;
   if (rank > 0) {
     *node = scratch_.sorted[rank - 1];
     return 0;
   }
-  const uint64_t high = static_cast<uint32_t>(list.next()), low = static_cast<uint32_t>(list.next());
+  const uint64_t high = readUnsigned(format::kGeneral), low = readUnsigned(format::kGeneral);
   if (high > 0xffff || low > 0xffff) return kCheckGeneral;
   *node = static_cast<uint32_t>(high << 16 | low);
   return 0;
@@ -361,7 +359,7 @@ format::Int2 SplitDecoder::normalDifference(uint32_t wedge, const format::Octahe
   const format::Int3 from = position(parent);
   format::ChildNormals normals{{format::minus(position(child_a), from), format::minus(position(child_a + 1), from)},
                                {}};
-  if (out_->node_first_wedge[parent + 1] - first_parent_wedge_ == 1) {
+  if (class_count_ == 1) {
     // All of them: their sums seen from the split node are known, and (n - c) x (p - c) = n x p + c x (n - p).
     for (uint32_t side = 0; side < 2; ++side) {
       const format::Int3 c = normals.child[side];
@@ -407,14 +405,14 @@ SplitDecoder::Expected SplitDecoder::expectDirection(const format::ChartedDirect
 }
 
 bool SplitDecoder::readDirection(IntReader* high, format::LowBits kind, uint32_t bias, const Expected& expected,
-                                 int32_t t8, const format::ChartedDirection& parent, uint16_t* a, uint16_t* b) {
+                                 const format::ChartedDirection& parent, uint16_t* a, uint16_t* b) {
   const int32_t size = 2 * parent.chart.center;
   const int32_t low = format::lowBits(expected.spread, bias);
   const int64_t exact_x = int64_t{residual(high, kind, low)} + expected.difference.x;
   const int64_t exact_y = int64_t{residual(high, kind, low)} + expected.difference.y;
   if (exact_x < -2 * size || exact_x > 2 * size || exact_y < -2 * size || exact_y > 2 * size) return false;
   const format::Int2 d{static_cast<int32_t>(exact_x), static_cast<int32_t>(exact_y)};
-  const format::ChildDirections children = format::splitDirection(parent, d, t8, face_count_ > 0);
+  const format::ChildDirections children = format::splitDirection(parent, d, t8_, face_count_ > 0);
   a[0] = static_cast<uint16_t>(children.a.x);
   a[1] = static_cast<uint16_t>(children.a.y);
   b[0] = static_cast<uint16_t>(children.b.x);
@@ -422,9 +420,8 @@ bool SplitDecoder::readDirection(IntReader* high, format::LowBits kind, uint32_t
   return children.valid;
 }
 
-uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
-  const uint32_t stride = format_.layout.stride;
-  const uint32_t count = out_->node_first_wedge[node + 1] - first_parent_wedge_;
+uint32_t SplitDecoder::readAttributes() {
+  const uint32_t stride = format_.layout.stride, count = class_count_;
   auto record = [&](uint32_t wedge) { return out_->wedge_attributes + static_cast<size_t>(wedge) * stride; };
   for (uint32_t i = 0; i < count; ++i) {
     const WedgeClass& c = scratch_.classes[i];
@@ -433,7 +430,7 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
       const bool predicted = count <= format::kMaxPredictedClasses && fan_.count <= format::kMaxRing;
       neighbours_.count = 0;
       if (predicted) gatherRing(count > 1 ? first_parent_wedge_ + i : kNoIndex);
-      if (!readPair(first_parent_wedge_ + i, predicted, t8, parent, record(c.first[0]), record(c.first[1])))
+      if (!readPair(first_parent_wedge_ + i, predicted, parent, record(c.first[0]), record(c.first[1])))
         return kCheckWedge;
     } else {
       memcpy(record(c.first[c.members[0].count > 0 ? 0 : 1]), parent, stride * sizeof(uint16_t));
@@ -445,8 +442,7 @@ uint32_t SplitDecoder::readAttributes(uint32_t node, int32_t t8) {
 }
 
 /// The records of a class's first wedges at either child.
-bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a,
-                            uint16_t* b) {
+bool SplitDecoder::readPair(uint32_t wedge, bool predicted, const uint16_t* parent, uint16_t* a, uint16_t* b) {
   const uint8_t* parameters = streams_->parameters;
   uint32_t at = 0;
   auto direction = [&]() -> format::ChartedDirection {
@@ -460,7 +456,7 @@ bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const ui
     expected.difference.x += (geometry * apart.x) >> 4;
     expected.difference.y += (geometry * apart.y) >> 4;
     IntReader* normals = streams_->values[format::kNormals];
-    if (!readDirection(normals, format::kLowNormals, parameters[format::kNormalBias], expected, t8, normal, a, b))
+    if (!readDirection(normals, format::kLowNormals, parameters[format::kNormalBias], expected, normal, a, b))
       return false;
     at += 2;
   }
@@ -469,8 +465,8 @@ bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const ui
     const int32_t strength = parameters[format::kTangentGradient];
     const format::ChartedDirection tangent = direction();
     const Expected expected = expectDirection(tangent, at, strength);
-    if (!readDirection(&tangents[0], format::kLowTangents, parameters[format::kTangentBias], expected, t8, tangent,
-                       a + at, b + at))
+    if (!readDirection(&tangents[0], format::kLowTangents, parameters[format::kTangentBias], expected, tangent, a + at,
+                       b + at))
       return false;
     const uint32_t flips = static_cast<uint32_t>(tangents[1].next());
     if (flips > 3) return false;
@@ -480,7 +476,7 @@ bool SplitDecoder::readPair(uint32_t wedge, bool predicted, int32_t t8, const ui
   }
   auto linear = [&](int64_t d) {
     if (d < -greatest_[at] || d > greatest_[at]) return false;
-    const int32_t at_b = parent[at] - format::eighths(static_cast<int32_t>(d), t8),
+    const int32_t at_b = parent[at] - format::eighths(static_cast<int32_t>(d), t8_),
                   at_a = at_b + static_cast<int32_t>(d);
     if (at_a < 0 || at_a > greatest_[at] || at_b < 0 || at_b > greatest_[at]) return false;
     a[at] = static_cast<uint16_t>(at_a);
@@ -572,7 +568,7 @@ uint32_t SplitDecoder::addFaces() {
   sortValues(sorted, 2 * fan_.count);
   const uint32_t neighbours = dropRepeated(sorted, 2 * fan_.count);
   for (uint32_t i = 0; i < face_count_; ++i) {
-    const int32_t orientation = streams_->values[format::kGeneral][0].next();
+    const uint32_t orientation = readUnsigned(format::kGeneral);
     NewFace face{0, orientation == 0};
     if (orientation > 1) return kCheckGeneral;
     if (const uint32_t check = listedNode(neighbours, &face.third)) return check;
@@ -674,7 +670,7 @@ uint32_t SplitDecoder::readSkins(uint32_t node) {
   const int32_t mode = skins.readMode(node, fan_);
   if (mode > format::kSkinFree) return kCheckSplit;
   // With one wedge the attributes' ring is the whole fan's: it is still at hand.
-  if (mode != format::kSkinSame && out_->node_first_wedge[node + 1] - first_parent_wedge_ > 1) gatherRing(kNoIndex);
+  if (mode != format::kSkinSame && class_count_ > 1) gatherRing(kNoIndex);
   return failUnless(skins.readChildren(node, mode, t8_), kCheckChildSkin);
 }
 

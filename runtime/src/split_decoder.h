@@ -74,8 +74,8 @@ class SplitDecoder {
   bool readDifference(uint32_t mean_edge, const format::Plane& plane, int32_t* d);
   void readLattice(format::Int3 d, int32_t step, const format::PredictedPlacement& predicted, int64_t* k);
   uint32_t readClasses(uint32_t node);
-  uint32_t readAttributes(uint32_t node, int32_t t8);
-  bool readPair(uint32_t wedge, bool predicted, int32_t t8, const uint16_t* parent, uint16_t* a, uint16_t* b);
+  uint32_t readAttributes();
+  bool readPair(uint32_t wedge, bool predicted, const uint16_t* parent, uint16_t* a, uint16_t* b);
   void gatherRing(uint32_t wedge);
   format::Int2 normalDifference(uint32_t wedge, const format::OctahedralChart& chart) const;
   Expected expectPair(const uint16_t* parent, uint32_t at, int32_t strength) const;
@@ -84,7 +84,7 @@ class SplitDecoder {
     const uint16_t* p = out_->node_position + 3 * static_cast<size_t>(node);
     return {p[0], p[1], p[2]};
   }
-  bool readDirection(IntReader* high, format::LowBits kind, uint32_t bias, const Expected& expected, int32_t t8,
+  bool readDirection(IntReader* high, format::LowBits kind, uint32_t bias, const Expected& expected,
                      const format::ChartedDirection& parent, uint16_t* a, uint16_t* b);
   uint32_t moveFan();
   bool moveToOnlyWedges();

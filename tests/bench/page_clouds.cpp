@@ -4,22 +4,10 @@
 
 #include "lithe/bake/model.h"
 #include "lithe/format/page.h"
-#include "page_streams.h"
+#include "tool/page_table.h"
 
 namespace lithe::bench {
 namespace {
-
-struct Stream {
-  uint32_t records, bytes;
-  std::vector<runtime::ColumnSpec> columns;
-};
-
-/// The bytes come from a bake that was read back: what is odd here is a fault of this file.
-uint32_t varintOf(const uint8_t** at, const uint8_t* end) {
-  uint32_t value = 0;
-  if (!runtime::readVarint(at, end, &value)) throw bake::Error("a page's stream table ends early");
-  return value;
-}
 
 std::vector<runtime::ColumnSpec> columnsOf(bool base, uint32_t stream, format::WedgeAttributes has) {
   format::StreamAttribute attributes[format::kMaxStreamAttributes];
@@ -32,22 +20,14 @@ std::vector<runtime::ColumnSpec> columnsOf(bool base, uint32_t stream, format::W
   return columns;
 }
 
-std::unique_ptr<CloudSet> cloudsOf(const uint8_t* page, size_t size, format::WedgeAttributes has) {
-  const uint8_t *at = page + 1 + format::kParameterBytes, *const end = page + size;
-  const bool base = page[0] == format::kBasePage;
-  const uint32_t count = base ? +format::kBaseStreamCount : +format::kSplitStreamCount;
-  std::vector<Stream> streams;
-  for (uint32_t s = 0; s < count; ++s) {
-    const uint32_t records = varintOf(&at, end);
-    if (records > 0) streams.push_back({records, varintOf(&at, end), columnsOf(base, s, has)});
-  }
-  // The low bits follow the streams.
-  for (uint32_t kind = 0; kind < format::kLowBitsKinds; ++kind) varintOf(&at, end);
+std::unique_ptr<CloudSet> cloudsOf(std::span<const uint8_t> page, format::WedgeAttributes has) {
+  const tool::PageTable table = tool::readPageTable(page, "a page");
   auto clouds = std::make_unique<CloudSet>();
-  for (const Stream& stream : streams) {
-    if (stream.bytes > static_cast<size_t>(end - at)) throw bake::Error("a page ends before its streams do");
-    clouds->add(at, stream.bytes, stream.records, stream.columns);
-    at += stream.bytes;
+  for (uint32_t s = 0; s < table.streams.size(); ++s) {
+    const tool::PageTable::Stream& stream = table.streams[s];
+    if (stream.records == 0) continue;
+    clouds->add(stream.bytes.data(), stream.bytes.size(), stream.records,
+                columnsOf(table.kind == format::kBasePage, s, has));
   }
   return clouds;
 }
@@ -62,7 +42,7 @@ std::vector<std::unique_ptr<CloudSet>> pageClouds(const lithe_asset& asset, cons
   for (uint32_t i = 0; i < info.page_count; ++i) {
     lithe_page page;
     if (lithe_asset_page(&asset, i, &page) != LITHE_OK) throw bake::Error("a page is missing from its table");
-    pages.push_back(cloudsOf(bytes.data() + page.offset, page.size, has));
+    pages.push_back(cloudsOf(std::span(bytes).subspan(page.offset, page.size), has));
     if (!pages.back()->bothAgree()) throw bake::Error("libdraco reads other values from a page than the runtime");
   }
   return pages;

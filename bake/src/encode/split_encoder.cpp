@@ -76,10 +76,7 @@ void SplitEncoder::split(uint32_t node) {
 
   writeConnectivity(node, plan, fan, ring);
   writePosition(hierarchy_node, plan, fan);
-  uint32_t alike = 0;
-  for (uint32_t i = 0; i < fan.count; ++i)
-    alike += cut_.h.skin[cut_.node_hierarchy[fan.next[i]]] == cut_.h.skin[hierarchy_node];
-  const uint32_t skin_modes = format::skinModeStream(alike, fan.count);
+  const uint32_t skin_modes = skinModesOf(hierarchy_node, fan);
   const format::RingNeighbours all_neighbours = neighboursOf(node, kNone, plan, fan, ring);
   PickEncoder picks(cut_, node, plan, fan, ring, page_);
   writeClasses(node, picks.classes(), plan);
@@ -95,6 +92,13 @@ void SplitEncoder::split(uint32_t node) {
   cut_.node_split[node] = 1;
 }
 
+uint32_t SplitEncoder::skinModesOf(uint32_t hierarchy_node, const format::Fan& fan) const {
+  const auto alike = std::count_if(fan.next, fan.next + fan.count, [&](uint32_t next) {
+    return cut_.h.skin[cut_.node_hierarchy[next]] == cut_.h.skin[hierarchy_node];
+  });
+  return format::skinModeStream(static_cast<uint32_t>(alike), fan.count);
+}
+
 SplitEncoder::Plan SplitEncoder::planSplit(uint32_t hierarchy_node, const format::Fan& fan,
                                            const format::Ring& ring) const {
   Plan plans[2] = {assignChildren(hierarchy_node, 0, fan), assignChildren(hierarchy_node, 1, fan)};
@@ -102,8 +106,7 @@ SplitEncoder::Plan SplitEncoder::planSplit(uint32_t hierarchy_node, const format
     if (tryRing(plan, fan, ring, 1) || tryRing(plan, fan, ring, 2)) return plan;
   // Child B's corners are listed: B is the child with fewer, which bounds the lists over the whole hierarchy.
   const auto corners_at_b = std::count(plans[0].at_b.begin(), plans[0].at_b.end(), 1);
-  Plan& plan = plans[2 * corners_at_b <= static_cast<int64_t>(fan.count) ? 0 : 1];
-  return plan;
+  return plans[2 * corners_at_b <= static_cast<int64_t>(fan.count) ? 0 : 1];
 }
 
 SplitEncoder::Plan SplitEncoder::assignChildren(uint32_t hierarchy_node, uint32_t which_is_a,

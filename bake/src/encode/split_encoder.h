@@ -40,6 +40,8 @@ class SplitEncoder {
   using Plan = SplitPlan;
   using NewFace = SplitPlan::NewFace;
 
+  /// The stream that says how the children's skins are said.
+  uint32_t skinModesOf(uint32_t hierarchy_node, const format::Fan& fan) const;
   Plan planSplit(uint32_t hierarchy_node, const format::Fan& fan, const format::Ring& ring) const;
   Plan assignChildren(uint32_t hierarchy_node, uint32_t which_is_a, const format::Fan& fan) const;
   std::vector<NewFace> birthsOf(uint32_t hierarchy_node, uint32_t a) const;

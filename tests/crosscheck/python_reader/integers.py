@@ -71,3 +71,31 @@ def from_plane(normal, in_plane, height):
         rest = turn * (normal[a] * vector[a] + normal[b] * vector[b]) // (turn * normal[m])
     vector[m] = height - rest
     return tuple(vector)
+
+
+def inverse(sums, bits, hold):
+    """Cofactors and determinant of the six sums xx, yy, zz, xy, xz, yz with h on the diagonal, and how many bits they lost.
+
+    bits  of the trace that are kept
+    hold  h is the 2^hold-th part of the trace, and one
+    """
+    trace = sum(sums[:3])
+    short = max(0, trace.bit_length() - bits)
+    h = (trace >> short >> hold) + 1
+    xx, yy, zz, xy, xz, yz = [(value >> short) + (h if at < 3 else 0) for at, value in enumerate(sums)]
+    cofactors = ((yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy),
+                 (xz * yz - xy * zz, xx * zz - xz * xz, xy * xz - xx * yz),
+                 (xy * yz - xz * yy, xy * xz - xx * yz, xx * yy - xy * xy))
+    return cofactors, dot((xx, xy, xz), cofactors[0]), short
+
+
+def reduced(q):
+    """A vector with at most 22 bits, and how many it lost."""
+    reduction = max(0, largest(q).bit_length() - 22)
+    return [value >> reduction for value in q], reduction
+
+
+def six_sums(vectors):
+    """Of the products of each vector with itself: xx, yy, zz, xy, xz, yz."""
+    pairs = (0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)
+    return [sum(v[i] * v[j] for v in vectors) for i, j in pairs]

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the lithe authors
 # SPDX-License-Identifier: MIT
 """Where a node most likely lies among its children (docs/format.md, section 4.3, T and Q)."""
-from integers import between, cross, dot, held, largest, minus
+from integers import between, cross, dot, held, inverse, largest, minus, reduced, six_sums
 
 LIMIT = 1 << 17
 
@@ -14,8 +14,7 @@ class Placement:
         middle = tuple(between(value, 4) for value in d)
         self.d = self.shortened(d)
         self.children = self.shortened(minus(d, middle)), self.shortened(tuple(-value for value in middle))
-        self.planes = [[0] * 3 for _ in range(3)]
-        self.distances = [0, 0, 0]
+        self.normals, self.distances = [], [0, 0, 0]
 
     def shortened(self, vector):
         return tuple(value >> self.shift for value in vector)
@@ -23,26 +22,15 @@ class Placement:
     def add(self, first, second, third):
         """A triangle; places are children or shortened."""
         n = cross(minus(second, first), minus(third, first))
-        for i in range(3):
-            self.distances[i] += n[i] * dot(n, first)
-            for j in range(3):
-                self.planes[i][j] += n[i] * n[j]
+        self.normals.append(n)
+        self.distances = [value + along * dot(n, first) for value, along in zip(self.distances, n)]
 
     def solve(self):
         """Sets t, q and den."""
-        trace = sum(self.planes[i][i] for i in range(3))
-        short = max(0, trace.bit_length() - 13)
-        h = (trace >> short >> 8) + 1
-        (xx, xy, xz), (_, yy, yz), (_, _, zz) = [
-            [(value >> short) + (h if i == j else 0) for j, value in enumerate(row)] for i, row in enumerate(self.planes)]
-        cofactors = ((yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy),
-                     (xz * yz - xy * zz, xx * zz - xz * xz, xy * xz - xx * yz),
-                     (xy * yz - xz * yy, xy * xz - xx * yz, xx * yy - xy * xy))
-        m = [value >> short for value in self.distances]
-        q = [dot(row, m) for row in cofactors]
-        reduction = max(0, largest(q).bit_length() - 22)
-        self.q = [value >> reduction for value in q]
-        self.den = dot((xx, xy, xz), cofactors[0]) >> reduction
+        cofactors, determinant, lost = inverse(six_sums(self.normals), 13, 8)
+        m = [value >> lost for value in self.distances]
+        self.q, reduction = reduced([dot(row, m) for row in cofactors])
+        self.den = determinant >> reduction
         self.t = 4
         length2 = dot(self.d, self.d)
         if self.den > 0 and length2 > 0:

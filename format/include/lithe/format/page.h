@@ -31,8 +31,7 @@ enum BaseStream : uint32_t {
 enum SplitStream : uint32_t {
   kFlagsOld,  ///< per node of an earlier level: split (1) or not (0)
   kFlagsNew,  ///< per node created by this level: split or not
-  kSplits,    ///< per split: rank of t8 | lattice k across | lattice height | D residual across |
-              ///< height
+  kSplits,    ///< per split: rank of t8 | lattice k across | lattice height | D residual across | height
   kCut3,      ///< per split with a closed ring of 3 edges: the pair of cut vertices; likewise 4, 5, 6, 7, 8, 9 or more
   kCut4,
   kCut5,

@@ -46,7 +46,7 @@ class PlacementSums {
   constexpr PredictedPlacement solve() const;
 
  private:
-  static constexpr int32_t kPositionBits = 9, kTraceBits = 13, kSolutionBits = 22;
+  static constexpr int32_t kPositionBits = 9;
 
   static constexpr int32_t kept(uint32_t extent) {
     const int32_t bits = bitLength(extent) - kPositionBits;
@@ -70,22 +70,11 @@ class PlacementSums {
 
 constexpr PredictedPlacement PlacementSums::solve() const {
   PredictedPlacement out;
-  // x = q / den, by Cramer's rule, from sums whose trace is below 2^13.
-  const int64_t trace = planes_.xx + planes_.yy + planes_.zz;
-  const int32_t excess = bitLength(static_cast<uint64_t>(trace)) - kTraceBits, down = excess < 0 ? 0 : excess;
-  const int64_t hold = (trace >> down >> 8) + 1;
-  const int64_t xx = (planes_.xx >> down) + hold, yy = (planes_.yy >> down) + hold, zz = (planes_.zz >> down) + hold;
-  const int64_t xy = planes_.xy >> down, xz = planes_.xz >> down, yz = planes_.yz >> down;
-  const int64_t rx = distances_.x >> down, ry = distances_.y >> down, rz = distances_.z >> down;
-  const int64_t cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
-  const int64_t cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
-  int64_t q[3] = {cxx * rx + cxy * ry + cxz * rz, cxy * rx + cyy * ry + cyz * rz, cxz * rx + cyz * ry + czz * rz};
-  int64_t den = xx * cxx + xy * cxy + xz * cxz, greatest = 0;
-  for (int64_t component : q)
-    greatest = component > greatest ? component : -component > greatest ? -component : greatest;
-  const int32_t over = bitLength(static_cast<uint64_t>(greatest)) - kSolutionBits, reduce = over < 0 ? 0 : over;
-  for (int64_t& component : q) component >>= reduce;
-  den >>= reduce;
+  const Inverse inverse(planes_, 13, 8);
+  const int32_t down = inverse.down;
+  int64_t q[3] = {};
+  const int32_t reduce = inverse.times(distances_.x >> down, distances_.y >> down, distances_.z >> down, q);
+  const int64_t den = inverse.den >> reduce;
 
   // Along D, in eighths of its length, and what is left across it.
   const int64_t length2 = int64_t{d_.x} * d_.x + int64_t{d_.y} * d_.y + int64_t{d_.z} * d_.z;

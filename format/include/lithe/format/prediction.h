@@ -84,6 +84,40 @@ struct Moment {
   }
 };
 
+/// A little is added to M's diagonal, then M^-1 = cofactors / den (Cramer's rule). All in integers: the sums are
+/// brought below 2^bits first, by `down` bits.
+struct Inverse {
+  int32_t down;
+  int64_t xx, xy, xz, yy, yz, zz;  ///< cofactors
+  int64_t den;
+
+  /// hold: what is added is the 2^hold-th part of the trace, and one.
+  constexpr Inverse(const GradientSums& s, int32_t bits, int32_t hold)
+      : down(0), xx(0), xy(0), xz(0), yy(0), yz(0), zz(0), den(0) {
+    const int64_t trace = s.xx + s.yy + s.zz;
+    const int32_t excess = bitLength(static_cast<uint64_t>(trace)) - bits;
+    down = excess < 0 ? 0 : excess;
+    const int64_t more = (trace >> down >> hold) + 1;
+    const int64_t a = (s.xx >> down) + more, b = (s.yy >> down) + more, c = (s.zz >> down) + more;
+    const int64_t ab = s.xy >> down, ac = s.xz >> down, bc = s.yz >> down;
+    xx = b * c - bc * bc, xy = ac * bc - ab * c, xz = ab * bc - ac * b;
+    yy = a * c - ac * ac, yz = ab * ac - a * bc, zz = a * b - ab * ab;
+    den = a * xx + ab * xy + ac * xz;
+  }
+
+  /// The cofactors times a vector, brought below 2^22; returns by how many bits.
+  constexpr int32_t times(int64_t x, int64_t y, int64_t z, int64_t q[3]) const {
+    q[0] = xx * x + xy * y + xz * z;
+    q[1] = xy * x + yy * y + yz * z;
+    q[2] = xz * x + yz * y + zz * z;
+    int64_t greatest = 0;
+    for (int c = 0; c < 3; ++c) greatest = q[c] > greatest ? q[c] : -q[c] > greatest ? -q[c] : greatest;
+    const int32_t over = bitLength(static_cast<uint64_t>(greatest)) - 22, reduce = over < 0 ? 0 : over;
+    for (int c = 0; c < 3; ++c) q[c] >>= reduce;
+    return reduce;
+  }
+};
+
 /// M^-1 D as a fraction: q / den.
 struct Gradient {
   int64_t q[3] = {0, 0, 0};
@@ -92,27 +126,12 @@ struct Gradient {
   constexpr Slope of(Moment m) const { return {q[0] * m.x + q[1] * m.y + q[2] * m.z, den}; }
 };
 
-/// d is shifted like the positions. Every step fits 64 bits: sums are brought below 2^18, the solution below 2^22.
-constexpr Gradient solveGradient(GradientSums s, Int3 d) {
-  const int64_t trace = s.xx + s.yy + s.zz;
-  const int32_t excess = bitLength(static_cast<uint64_t>(trace)) - 17;
-  const int32_t down = excess < 0 ? 0 : excess;
-  const int64_t hold = (trace >> down >> 6) + 1;
-  const int64_t xx = (s.xx >> down) + hold, yy = (s.yy >> down) + hold, zz = (s.zz >> down) + hold;
-  const int64_t xy = s.xy >> down, xz = s.xz >> down, yz = s.yz >> down;
-  const int64_t cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
-  const int64_t cyy = xx * zz - xz * xz, cyz = xy * xz - xx * yz, czz = xx * yy - xy * xy;
+/// d is shifted like the positions. Every step fits 64 bits.
+constexpr Gradient solveGradient(const GradientSums& s, Int3 d) {
+  const Inverse inverse(s, 17, 6);
   Gradient g;
-  g.q[0] = cxx * d.x + cxy * d.y + cxz * d.z;
-  g.q[1] = cxy * d.x + cyy * d.y + cyz * d.z;
-  g.q[2] = cxz * d.x + cyz * d.y + czz * d.z;
-  g.den = xx * cxx + xy * cxy + xz * cxz;
-  int64_t greatest = 0;
-  for (int64_t q : g.q) greatest = q > greatest ? q : -q > greatest ? -q : greatest;
-  const int32_t over = bitLength(static_cast<uint64_t>(greatest)) - 22;
-  const int32_t reduce = over < 0 ? 0 : over;
-  for (int64_t& q : g.q) q >>= reduce;
-  g.den = down > reduce ? g.den << (down - reduce) : g.den >> (reduce - down);
+  const int32_t reduce = inverse.times(d.x, d.y, d.z, g.q), raise = inverse.down - reduce;
+  g.den = raise > 0 ? inverse.den << raise : inverse.den >> -raise;
   return g;
 }
 

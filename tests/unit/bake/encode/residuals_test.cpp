@@ -44,71 +44,38 @@ Residual randomResidual(test::Random& random) {
   return r;
 }
 
-uint32_t streamOf(const Residual& r) {
-  switch (r.kind) {
-    case Kind::kPosition:
-    case Kind::kLattice:
-      return format::kSplits;
-    case Kind::kNormal:
-      return format::kNormals;
-    case Kind::kTangent:
-      return format::kTangents;
-    case Kind::kSkin:
-      return format::kSkinD;
-    case Kind::kUv:
-      return format::kUv0 + r.set;
-    default:
-      return format::kExtras;
-  }
-}
-
-format::LowBits lowBitsOf(const Residual& r) {
-  switch (r.kind) {
-    case Kind::kNormal:
-      return format::kLowNormals;
-    case Kind::kTangent:
-      return format::kLowTangents;
-    case Kind::kUv:
-      return format::kLowUvs;
-    case Kind::kSkin:
-      return format::kLowSkins;
-    case Kind::kPosition:
-    case Kind::kLattice:
-      return format::kLowPositions;
-    default:
-      return format::kLowExtras;
-  }
-}
-
-/// What a page's parameters say of a residual (docs/format.md, 4.3, 4.4 and 4.6).
+/// Where a residual's values are and what a page's parameters say of them (docs/format.md, 4.3, 4.4 and 4.6).
 struct Rule {
+  uint32_t stream, attribute;
+  format::LowBits kind;
   int32_t low, slope = 0, geometry = 0;
 };
 
 Rule ruleOf(const PageData& page, const Residual& r) {
+  using namespace format;  // NOLINT: the names of streams and parameters
   const auto& p = page.parameters;
+  const auto low = [&](uint32_t bias) { return lowBits(r.extent, p[bias]); };
   switch (r.kind) {
     case Kind::kPosition:
-      return {format::lowBits(r.extent, p[format::kPositionBias]), p[format::kPositionMean]};
+      return {kSplits, kSplitPosition, kLowPositions, low(kPositionBias), p[kPositionMean]};
     case Kind::kLattice:
-      return {0, p[format::kPlacement]};
+      return {kSplits, kSplitLattice, kLowPositions, 0, p[kPlacement]};
     case Kind::kNormal:
-      return {format::lowBits(r.extent, p[format::kNormalBias]), p[format::kNormalGradient],
-              p[format::kNormalGeometry]};
+      return {kNormals, 0, kLowNormals, low(kNormalBias), p[kNormalGradient], p[kNormalGeometry]};
     case Kind::kTangent:
-      return {format::lowBits(r.extent, p[format::kTangentBias]), p[format::kTangentGradient]};
+      return {kTangents, 0, kLowTangents, low(kTangentBias), p[kTangentGradient]};
     case Kind::kSkin:
-      return {format::lowBits(r.extent, p[format::kSkinBias]), p[format::kSkinGradient]};
+      return {kSkinD, 0, kLowSkins, low(kSkinBias), p[kSkinGradient]};
     case Kind::kUv:
-      return {format::lowBits(r.extent, p[format::kUvBias0 + r.set]), p[format::kUvGradient0 + r.set]};
+      return {kUv0 + r.set, 0, kLowUvs, low(kUvBias0 + r.set), p[kUvGradient0 + r.set]};
     case Kind::kExtraNormal:
-      return {p[format::kExtraNormalShift]};
+      return {kExtras, 0, kLowExtras, p[kExtraNormalShift]};
     case Kind::kExtraTangent:
-      return {p[format::kExtraTangentShift]};
+      return {kExtras, 0, kLowExtras, p[kExtraTangentShift]};
     case Kind::kExtraUv:
-      return {p[format::kExtraUvShift]};
+      return {kExtras, 0, kLowExtras, p[kExtraUvShift]};
     default:
-      return {0};
+      return {kExtras, 0, kLowExtras, 0};
   }
 }
 
@@ -125,9 +92,7 @@ class ResidualReader {
     if (r.kind == Kind::kPosition)
       value = readPosition(r, rule.low);
     else
-      for (uint32_t c = 0; c < r.components; ++c)
-        value[c] =
-            next(streamOf(r), r.kind == Kind::kLattice ? uint32_t{format::kSplitLattice} : 0u, lowBitsOf(r), rule.low);
+      for (uint32_t c = 0; c < r.components; ++c) value[c] = next(rule.stream, rule.attribute, rule.kind, rule.low);
     for (uint32_t c = 0; c < r.components; ++c) {
       const double exact = r.slope[c].den > 0 ? rule.slope * static_cast<double>(r.slope[c].num) /
                                                     (16.0 * static_cast<double>(r.slope[c].den))
@@ -184,7 +149,7 @@ TEST(Residuals, ComeBackInTheOrderInWhichTheyWereAdded) {
     for (const Residual& r : items) {
       const std::array<int32_t, 3> value = reader.read(r);
       for (uint32_t c = 0; c < r.components; ++c)
-        ASSERT_EQ(value[c], r.difference[c]) << "seed " << seed << " stream " << streamOf(r);
+        ASSERT_EQ(value[c], r.difference[c]) << "seed " << seed << " kind " << static_cast<int>(r.kind);
     }
     EXPECT_TRUE(reader.atEnd());
   }
