@@ -39,6 +39,20 @@ struct Cut {
   uint32_t leafVertex(uint32_t corner) const { return h.wedge_node[leafWedge(corner)]; }
   uint32_t cornerNode(uint32_t corner) const { return wedge_node[face_wedges[corner / 3][corner % 3]]; }
 
+  // Of the hierarchy's nodes and wedges, and of the file's.
+  format::Int3 positionOf(uint32_t hierarchy_node) const {
+    const glm::ivec3& p = h.position[hierarchy_node];
+    return {p.x, p.y, p.z};
+  }
+  format::Int3 filePosition(uint32_t node) const { return positionOf(node_hierarchy[node]); }
+  const int32_t* attributes(uint32_t hierarchy_wedge) const {
+    return h.wedge_attributes.data() + size_t{hierarchy_wedge} * h.record.stride;
+  }
+  /// Two entries of a wedge's record.
+  format::Int2 pairAt(uint32_t hierarchy_wedge, uint32_t at) const {
+    return {attributes(hierarchy_wedge)[at], attributes(hierarchy_wedge)[at + 1]};
+  }
+
   /// Moves a corner to a child's wedge.
   void moveCorner(uint32_t corner, uint32_t wedge);
   void clearCorners(uint32_t node) { node_corners[node].clear(); }

@@ -23,7 +23,8 @@ void FurtherEncoder::gatherCorners() {
     const uint32_t k = corner % 3;
     const std::array<uint32_t, 3>& wedges = cut_.face_wedges[corner / 3];
     const uint32_t others[2] = {wedges[(k + 1) % 3], wedges[(k + 2) % 3]};
-    const format::Int3 at[2] = {position(cut_.wedge_node[others[0]]), position(cut_.wedge_node[others[1]])};
+    const format::Int3 at[2] = {cut_.filePosition(cut_.wedge_node[others[0]]),
+                                cut_.filePosition(cut_.wedge_node[others[1]])};
     if (!corners_.add(wedges[k], others, at)) return;
   }
 }
@@ -43,7 +44,8 @@ void FurtherEncoder::writeWedge(uint32_t first, uint32_t wedge) {
 uint32_t FurtherEncoder::maskOf(uint32_t first, uint32_t wedge) const {
   const WedgeRecord& record = cut_.h.record;
   const auto bit = [&](uint32_t at, uint32_t count, uint32_t number) {
-    if (at == kNone || std::equal(attributes(wedge) + at, attributes(wedge) + at + count, attributes(first) + at))
+    if (at == kNone ||
+        std::equal(cut_.attributes(wedge) + at, cut_.attributes(wedge) + at + count, cut_.attributes(first) + at))
       return 0u;
     return 1u << number;
   };
@@ -56,27 +58,28 @@ uint32_t FurtherEncoder::maskOf(uint32_t first, uint32_t wedge) const {
 // Against the normal of the wedge's own faces, without any against the first wedge's.
 void FurtherEncoder::writeNormal(uint32_t first, uint32_t wedge) {
   const uint32_t at = cut_.h.record.normal;
-  const format::AreaNormal normal = corners_.normalOf(cut_.file_wedge[wedge], position(child_));
+  const format::AreaNormal normal = corners_.normalOf(cut_.file_wedge[wedge], cut_.filePosition(child_));
   addTurned(Residual::Kind::kExtraNormal,
-            normal.isZero() ? pairAt(first, at) : format::octahedralPoint(normal, normal_center_), pairAt(wedge, at));
+            normal.isZero() ? cut_.pairAt(first, at) : format::octahedralPoint(normal, normal_center_),
+            cut_.pairAt(wedge, at));
 }
 
 void FurtherEncoder::writeTangent(uint32_t first, uint32_t wedge) {
   const uint32_t at = cut_.h.record.tangent;
-  addTurned(Residual::Kind::kExtraTangent, pairAt(first, at), pairAt(wedge, at));
+  addTurned(Residual::Kind::kExtraTangent, cut_.pairAt(first, at), cut_.pairAt(wedge, at));
   addPlain(first, wedge, at + 2, 1);
 }
 
 // Against the nearest neighbour's, without any against the first wedge's.
 void FurtherEncoder::writeUvs(uint32_t mask, uint32_t first, uint32_t wedge) {
   const uint32_t further = cut_.file_wedge[wedge];
-  const uint32_t neighbour =
-      corners_.nearestTo(further, position(child_), [&](uint32_t other) { return isReadBefore(other, further); });
+  const uint32_t neighbour = corners_.nearestTo(further, cut_.filePosition(child_),
+                                                [&](uint32_t other) { return isReadBefore(other, further); });
   const uint32_t from = neighbour == format::kNoIndex ? first : cut_.wedge_hierarchy[neighbour];
   for (uint32_t s = 0; s < kMaxUvSets; ++s) {
     if (!(mask >> (format::kMaskUv0 + s) & 1)) continue;
     const uint32_t at = cut_.h.record.uv[s];
-    addPair(Residual::Kind::kExtraUv, pairAt(from, at), pairAt(wedge, at));
+    addPair(Residual::Kind::kExtraUv, cut_.pairAt(from, at), cut_.pairAt(wedge, at));
   }
 }
 
@@ -98,7 +101,7 @@ void FurtherEncoder::addPlain(uint32_t first, uint32_t wedge, uint32_t at, uint3
   for (uint32_t v = at; v < at + count; ++v) {
     Residual residual;
     residual.kind = Residual::Kind::kExtraPlain;
-    residual.difference[0] = attributes(wedge)[v] - attributes(first)[v];
+    residual.difference[0] = cut_.attributes(wedge)[v] - cut_.attributes(first)[v];
     residuals_.add(residual);
   }
 }

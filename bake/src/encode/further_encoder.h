@@ -37,14 +37,6 @@ class FurtherEncoder {
   void addPair(Residual::Kind kind, format::Int2 predicted, format::Int2 value);
   void addPlain(uint32_t first, uint32_t wedge, uint32_t at, uint32_t count);
   bool isReadBefore(uint32_t file_wedge, uint32_t further) const;
-  format::Int3 position(uint32_t node) const {
-    const glm::ivec3& p = cut_.h.position[cut_.node_hierarchy[node]];
-    return {p.x, p.y, p.z};
-  }
-  const int32_t* attributes(uint32_t wedge) const {
-    return cut_.h.wedge_attributes.data() + size_t{wedge} * cut_.h.record.stride;
-  }
-  format::Int2 pairAt(uint32_t wedge, uint32_t at) const { return {attributes(wedge)[at], attributes(wedge)[at + 1]}; }
 
   const Cut& cut_;
   const std::vector<WedgeClass>& classes_;

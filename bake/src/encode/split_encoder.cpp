@@ -175,8 +175,8 @@ void SplitEncoder::writeCut(uint32_t node, const Plan& plan, const format::Fan& 
   const bool closed = ring.kind == format::RingKind::kClosed;
   uint32_t value = format::kCutListed;
   if (!plan.listed && closed) {
-    const uint32_t from =
-        format::farthestVertex(ring, filePosition(node), [&](uint32_t i) { return filePosition(fan.next[i]); });
+    const uint32_t from = format::farthestVertex(ring, cut_.filePosition(node),
+                                                 [&](uint32_t i) { return cut_.filePosition(fan.next[i]); });
     auto counted = [&](uint32_t vertex) { return (vertex + ring.count - from) % ring.count; };
     const auto [p, q] = std::minmax({counted(plan.faces[0].ring_at), counted(plan.faces[1].ring_at)});
     value = 1 + format::pairIndex(p, q);
@@ -223,7 +223,7 @@ void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, cons
   glm::ivec3 least = h.position[hierarchy_node], greatest = least;
   format::AreaNormal normal;
   for (uint32_t i = 0; i < fan.count; ++i) {
-    normal.add(positionOf(hierarchy_node), filePosition(fan.next[i]), filePosition(fan.previous[i]));
+    normal.add(cut_.positionOf(hierarchy_node), cut_.filePosition(fan.next[i]), cut_.filePosition(fan.previous[i]));
     auto& sum = plan.at_b[i] ? sum_b : sum_a;
     (plan.at_b[i] ? count_b : count_a) += 2;
     for (uint32_t neighbour : {fan.next[i], fan.previous[i]}) {
@@ -234,11 +234,11 @@ void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, cons
     }
   }
   const glm::ivec3 spread = greatest - least;
-  const format::Int3 d = format::minus(positionOf(plan.a), positionOf(plan.b));
+  const format::Int3 d = format::minus(cut_.positionOf(plan.a), cut_.positionOf(plan.b));
   Residual residual;
   residual.components = 3;
-  residual.extent =
-      format::meanEdge(fan, positionOf(hierarchy_node), [&](uint32_t i) { return filePosition(fan.next[i]); });
+  residual.extent = format::meanEdge(fan, cut_.positionOf(hierarchy_node),
+                                     [&](uint32_t i) { return cut_.filePosition(fan.next[i]); });
   residual.difference = {d.x, d.y, d.z};
   for (size_t c = 0; c < 3; ++c) residual.slope[c] = format::meanDifference(sum_a[c], count_a, sum_b[c], count_b);
   residual.normal = {normal.x, normal.y, normal.z};
@@ -250,21 +250,21 @@ void SplitEncoder::writePosition(uint32_t hierarchy_node, const Plan& plan, cons
 format::PredictedPlacement SplitEncoder::predictPlacement(uint32_t hierarchy_node, const Plan& plan,
                                                           const format::Fan& fan) const {
   if (fan.count > format::kMaxRing) return {};
-  const format::Int3 center = positionOf(hierarchy_node);
-  format::PlacementSums sums(format::minus(positionOf(plan.a), positionOf(plan.b)), extent_);
+  const format::Int3 center = cut_.positionOf(hierarchy_node);
+  format::PlacementSums sums(format::minus(cut_.positionOf(plan.a), cut_.positionOf(plan.b)), extent_);
   for (uint32_t i = 0; i < fan.count; ++i)
-    sums.addFan(plan.at_b[i] ? 1 : 0, format::minus(filePosition(fan.next[i]), center),
-                format::minus(filePosition(fan.previous[i]), center));
+    sums.addFan(plan.at_b[i] ? 1 : 0, format::minus(cut_.filePosition(fan.next[i]), center),
+                format::minus(cut_.filePosition(fan.previous[i]), center));
   for (const NewFace& face : plan.faces)
-    if (face.ring_at != kNone) sums.addCut(format::minus(filePosition(face.third), center), face.first_is_a);
+    if (face.ring_at != kNone) sums.addCut(format::minus(cut_.filePosition(face.third), center), face.first_is_a);
   return sums.solve();
 }
 
 void SplitEncoder::writePlacement(uint32_t hierarchy_node, const Plan& plan, const format::Fan& fan) {
   const format::PredictedPlacement predicted = predictPlacement(hierarchy_node, plan, fan);
-  const format::Int3 b = positionOf(plan.b), d = format::minus(positionOf(plan.a), b);
+  const format::Int3 b = cut_.positionOf(plan.b), d = format::minus(cut_.positionOf(plan.a), b);
   const int32_t step = format::latticeStep(d, settings_.placement_shift);
-  const format::Int3 from = format::minus(positionOf(hierarchy_node), format::pointBetween(b, d, plan.t8));
+  const format::Int3 from = format::minus(cut_.positionOf(hierarchy_node), format::pointBetween(b, d, plan.t8));
   const int32_t k[3] = {from.x / step, from.y / step, from.z / step};
   const format::Plane across(d.x, d.y, d.z);
   Residual lattice;
@@ -323,14 +323,17 @@ void predictFromRing(Residual& residual, const format::RingNeighbours& neighbour
 // In the chart around the parent's direction.
 Residual SplitEncoder::directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
                                          const format::RingNeighbours& neighbours) const {
-  const format::Int2 p = pairAt(parent, at);
-  const auto d = octahedralDifference(p, pairAt(b, at), pairAt(a, at), plan.directionRule(settings_.normal_center));
+  const format::Int2 p = cut_.pairAt(parent, at);
+  const auto d =
+      octahedralDifference(p, cut_.pairAt(b, at), cut_.pairAt(a, at), plan.directionRule(settings_.normal_center));
   if (!d) throw Error("a direction cannot be recovered from its parent: this is a fault of lithe, please report it");
   Residual residual;
   residual.components = 2;
   residual.difference = {d->x, d->y, 0};
   const format::ChartedDirection here(p, settings_.normal_center);
-  auto point = [&](uint32_t neighbour) { return here.chart.fromSquare(pairAt(cut_.wedge_hierarchy[neighbour], at)); };
+  auto point = [&](uint32_t neighbour) {
+    return here.chart.fromSquare(cut_.pairAt(cut_.wedge_hierarchy[neighbour], at));
+  };
   predictFromRing(residual, neighbours, point, here.point, 2 * static_cast<uint32_t>(settings_.normal_center));
   return residual;
 }
@@ -342,10 +345,10 @@ Residual SplitEncoder::uvResidual(uint32_t set, uint32_t parent, uint32_t a, uin
   residual.set = static_cast<uint8_t>(set);
   residual.components = 2;
   const uint32_t at = cut_.h.record.uv[set];
-  for (uint32_t c = 0; c < 2; ++c) residual.difference[c] = attributes(a)[at + c] - attributes(b)[at + c];
+  for (uint32_t c = 0; c < 2; ++c) residual.difference[c] = cut_.attributes(a)[at + c] - cut_.attributes(b)[at + c];
   predictFromRing(
-      residual, neighbours, [&](uint32_t neighbour) { return pairAt(cut_.wedge_hierarchy[neighbour], at); },
-      pairAt(parent, at), settings_.uv_greatest);
+      residual, neighbours, [&](uint32_t neighbour) { return cut_.pairAt(cut_.wedge_hierarchy[neighbour], at); },
+      cut_.pairAt(parent, at), settings_.uv_greatest);
   return residual;
 }
 
@@ -359,21 +362,21 @@ format::RingNeighbours SplitEncoder::neighboursOf(uint32_t node, uint32_t wedge,
                                                   const format::Fan& fan, const format::Ring& ring) const {
   format::RingNeighbours neighbours;
   format::gatherNeighbours(
-      fan, ring, filePosition(node), format::minus(positionOf(plan.a), positionOf(plan.b)), extent_,
+      fan, ring, cut_.filePosition(node), format::minus(cut_.positionOf(plan.a), cut_.positionOf(plan.b)), extent_,
       [&](uint32_t i) { return wedge == kNone || fan_wedge_[i] == wedge; },
-      [&](uint32_t i, uint32_t step) { return filePosition(step == 0 ? fan.next[i] : fan.previous[i]); },
+      [&](uint32_t i, uint32_t step) { return cut_.filePosition(step == 0 ? fan.next[i] : fan.previous[i]); },
       [&](uint32_t i, uint32_t step) { return neighbourWedge(fan, i, step); }, neighbours);
   return neighbours;
 }
 
 format::Int2 SplitEncoder::normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan,
                                             const format::OctahedralChart& chart) const {
-  format::ChildNormals normals{{positionOf(plan.a), positionOf(plan.b)}, {}};
+  format::ChildNormals normals{{cut_.positionOf(plan.a), cut_.positionOf(plan.b)}, {}};
   normals.addFan(
       fan, [&](uint32_t i) { return fan_wedge_[i] == wedge; }, plan.at_b,
-      [&](uint32_t i, uint32_t step) { return filePosition(step == 0 ? fan.next[i] : fan.previous[i]); });
+      [&](uint32_t i, uint32_t step) { return cut_.filePosition(step == 0 ? fan.next[i] : fan.previous[i]); });
   for (const NewFace& face : plan.faces)
-    if (face.ring_at != kNone) normals.addCut(filePosition(face.third), face.first_is_a);
+    if (face.ring_at != kNone) normals.addCut(cut_.filePosition(face.third), face.first_is_a);
   return format::normalDifference(normals.normal[0], normals.normal[1], chart);
 }
 
@@ -397,7 +400,7 @@ void SplitEncoder::writePair(uint32_t wedge, uint32_t a, uint32_t b, const Plan&
   if (record.normal != kNone) {
     Residual residual = directionResidual(record.normal, parent, a, b, plan, neighbours);
     residual.kind = Residual::Kind::kNormal;
-    const auto chart = format::OctahedralChart::around(pairAt(parent, record.normal), settings_.normal_center);
+    const auto chart = format::OctahedralChart::around(cut_.pairAt(parent, record.normal), settings_.normal_center);
     const format::Int2 apart = predicted ? normalDifference(wedge, plan, fan, chart) : format::Int2{0, 0};
     residual.geometry = {apart.x, apart.y, 0};
     residuals_.add(residual);
@@ -408,12 +411,14 @@ void SplitEncoder::writePair(uint32_t wedge, uint32_t a, uint32_t b, const Plan&
     residuals_.add(residual);
     const uint32_t sign = record.tangent + 2;
     page_.streams[format::kTangents].attributes[1].values.push_back(
-        (attributes(b)[sign] ^ attributes(parent)[sign]) | ((attributes(a)[sign] ^ attributes(parent)[sign]) << 1));
+        (cut_.attributes(b)[sign] ^ cut_.attributes(parent)[sign]) |
+        ((cut_.attributes(a)[sign] ^ cut_.attributes(parent)[sign]) << 1));
   }
   for (uint32_t s = 0; s < settings_.has.uv_sets; ++s) residuals_.add(uvResidual(s, parent, a, b, neighbours));
   for (uint32_t s = 0; s < settings_.has.color_sets; ++s)
     for (uint32_t c = 0; c < 4; ++c)
-      page_.streams[format::kColors].put(attributes(a)[record.color[s] + c] - attributes(b)[record.color[s] + c]);
+      page_.streams[format::kColors].put(cut_.attributes(a)[record.color[s] + c] -
+                                         cut_.attributes(b)[record.color[s] + c]);
 }
 
 }  // namespace lithe::bake

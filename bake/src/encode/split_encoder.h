@@ -63,9 +63,6 @@ class SplitEncoder {
                       const format::RingNeighbours& neighbours) const;
   Residual directionResidual(uint32_t at, uint32_t parent, uint32_t a, uint32_t b, const Plan& plan,
                              const format::RingNeighbours& neighbours) const;
-  format::Int2 pairAt(uint32_t hierarchy_wedge, uint32_t at) const {
-    return {attributes(hierarchy_wedge)[at], attributes(hierarchy_wedge)[at + 1]};
-  }
   bool isPredicted(uint32_t node, const format::Fan& fan) const;
   uint32_t neighbourWedge(const format::Fan& fan, uint32_t i, uint32_t step) const {
     return cut_.face_wedges[fan.corner[i] / 3][(fan.corner[i] % 3 + 1 + step) % 3];
@@ -74,14 +71,6 @@ class SplitEncoder {
                                       const format::Ring& ring) const;
   format::Int2 normalDifference(uint32_t wedge, const Plan& plan, const format::Fan& fan,
                                 const format::OctahedralChart& chart) const;
-  format::Int3 filePosition(uint32_t node) const { return positionOf(cut_.node_hierarchy[node]); }
-  format::Int3 positionOf(uint32_t hierarchy_node) const {
-    const glm::ivec3& p = cut_.h.position[hierarchy_node];
-    return {p.x, p.y, p.z};
-  }
-  const int32_t* attributes(uint32_t hierarchy_wedge) const {
-    return cut_.h.wedge_attributes.data() + size_t{hierarchy_wedge} * cut_.h.record.stride;
-  }
 
   Cut& cut_;
   const SplitSettings& settings_;
