@@ -76,12 +76,24 @@ void writeSplitSeed(const fs::path& path, LitheFile& file, uint32_t page, uint32
   write(path, out.bytes);
 }
 
+/// A head whose first page's hash lies over its own size; a page of eight bytes is there to be hashed.
+FileBytes headWithPagesOverHeader() {
+  using namespace format;
+  LitheFile file(encodeSmallFile(tinyShape()));
+  const uint32_t pages_at = header::kHeadBytesAt - page::kChecksumAt, page_bytes = 8;
+  storeU32(file.head.data() + file.chunk(page::kId).entry + directory::kOffsetAt, pages_at);
+  storeU32(file.head.data() + pages_at + page::kSizeAt, page_bytes);
+  file.head.resize(file.head.size() + page_bytes);
+  return file.head;
+}
+
 void writeRuntimeSeeds(const fs::path& corpus) {
   for (const GoldenFile& golden : goldenFiles()) {
     const FileBytes bytes = encodeSmallFile(golden.shape);
     write(corpus / "fuzz_open" / golden.name, LitheFile(bytes).head);
+    write(corpus / "fuzz_file" / golden.name, bytes);
   }
-  write(corpus / "fuzz_file" / "tiny", encodeSmallFile(tinyShape()));
+  write(corpus / "fuzz_open" / "pages_over_header", headWithPagesOverHeader());
   LitheFile rich(encodeSmallFile(richShape()));
   for (uint32_t page = 0; page < rich.pages.size(); ++page)
     writePageSeed(corpus / "fuzz_page" / ("page" + std::to_string(page)), rich, page);

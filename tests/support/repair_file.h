@@ -9,7 +9,7 @@
 
 namespace lithe::test {
 
-/// The PAGE records in a head whose directory can be followed; none elsewhere.
+/// The PAGE records in a head whose directory can be followed and that lie behind it; none elsewhere.
 struct PageRecords {
   size_t offset = 0, record_bytes = 0, count = 0;
 };
@@ -17,10 +17,13 @@ struct PageRecords {
 inline PageRecords findPageRecords(const FileBytes& file, size_t head_bytes) {
   using namespace format;
   const uint64_t chunks = loadU32(file.data() + header::kChunkCountAt);
-  if (header::kBytes + chunks * directory::kBytes > head_bytes) return {};
+  const uint64_t directory_end = header::kBytes + chunks * directory::kBytes;
+  if (directory_end > head_bytes) return {};
   const ChunkPlace place = findChunk(file, page::kId);
   const uint64_t end = place.offset + uint64_t{place.record_bytes} * place.record_count;
-  if (place.entry == kNoIndex || place.record_bytes < page::kBytes || end > head_bytes) return {};
+  // Records over the header would have the hashes written into the head's own size.
+  if (place.entry == kNoIndex || place.record_bytes < page::kBytes || place.offset < directory_end || end > head_bytes)
+    return {};
   return {place.offset, place.record_bytes, place.record_count};
 }
 
