@@ -3,6 +3,7 @@
 /// Any bytes as a Draco cloud behind its beginning. Input: records - 1 (one byte) | columns - 1 (one byte, low three
 /// bits) | one byte per column (components - 1 in two bits, unsigned in the next) | the cloud.
 #include <cstdlib>
+#include <memory>
 #include <vector>
 
 #include "draco_cloud.h"
@@ -24,10 +25,12 @@ void decode(const std::vector<uint8_t>& cloud, uint32_t records, const std::vect
   std::vector<int32_t*> outs;
   for (const ColumnSpec& column : columns) values.emplace_back(records * column.components);
   for (std::vector<int32_t>& column : values) outs.push_back(column.data());
-  std::vector<uint64_t> memory((decodeScratchSize(records, cloud.size()) + 7) / 8);
+  const size_t scratch_words = (decodeScratchSize(records, cloud.size()) + 7) / 8;
+  const std::unique_ptr<uint64_t[]> scratch(
+      new uint64_t[scratch_words]);  // not cleared: that would take most of the time
   const CloudResult result =
       decodeCloud(cloud.data(), cloud.size(), records, columns.data(), static_cast<uint32_t>(columns.size()),
-                  outs.data(), {memory.data(), memory.size() * 8});
+                  outs.data(), {scratch.get(), scratch_words * 8});
   if (result == CloudResult::kArgument) std::abort();
   if (result != CloudResult::kOk) return;
   for (size_t i = 0; i < columns.size(); ++i) requireRange(values[i], columns[i].kind);

@@ -13,7 +13,7 @@ using namespace lithe::test;
 
 /// The file up to and with the page in question.
 FileBytes fileWith(const uint8_t* data, size_t size) {
-  static const FileBytes sound = encodeSmallFile(richShape());
+  static const FileBytes sound = encodeSmallFile(smallRichShape());
   LitheFile file(sound);
   const uint32_t page = data[0] % static_cast<uint32_t>(file.pages.size());
   file.pages[page].assign(data + 5, data + size);

@@ -63,6 +63,15 @@ inline FileShape richShape() {
   return shape;
 }
 
+/// The same on a fraction of the triangles, for tests that read a file very often.
+inline FileShape smallRichShape() {
+  FileShape shape = richShape();
+  shape.character.columns = 5;
+  shape.character.rows = 3;
+  shape.character.loose_triangles = 3;
+  return shape;
+}
+
 /// The smallest file with several levels and pages, for tests that break every byte of it.
 inline FileShape tinyShape() {
   FileShape shape;

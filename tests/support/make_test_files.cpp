@@ -94,9 +94,10 @@ void writeRuntimeSeeds(const fs::path& corpus) {
     write(corpus / "fuzz_file" / golden.name, bytes);
   }
   write(corpus / "fuzz_open" / "pages_over_header", headWithPagesOverHeader());
+  LitheFile small(encodeSmallFile(smallRichShape()));
+  for (uint32_t page = 0; page < small.pages.size(); ++page)
+    writePageSeed(corpus / "fuzz_page" / ("page" + std::to_string(page)), small, page);
   LitheFile rich(encodeSmallFile(richShape()));
-  for (uint32_t page = 0; page < rich.pages.size(); ++page)
-    writePageSeed(corpus / "fuzz_page" / ("page" + std::to_string(page)), rich, page);
   writeSplitSeed(corpus / "fuzz_splits" / "base", rich, 0, 3);
   writeSplitSeed(corpus / "fuzz_splits" / "after1", rich, 1, 0);
   writeSplitSeed(corpus / "fuzz_splits" / "after4", rich, 4, 1);
