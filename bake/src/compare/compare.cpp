@@ -3,13 +3,11 @@
 #include "lithe/bake/compare.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <thread>
 
 #include "frames.h"
+#include "lithe/bake/parallel.h"
 #include "posed_surface.h"
 #include "seams.h"
 #include "silhouette.h"
@@ -23,7 +21,7 @@ constexpr uint32_t kMostSamples = 10'000'000;
 
 /// Everything that is the same in all frames.
 struct Comparison {
-  Surface original, simplified;
+  MeasuredSurface original, simplified;
   const std::vector<Joint>& original_joints;
   const std::vector<Joint>& simplified_joints;
   std::vector<uint32_t> original_nodes, simplified_nodes;  ///< per joint: the original's node it follows
@@ -91,19 +89,6 @@ FrameReport measureFrame(const Comparison& c, const Instant& instant, uint64_t n
   return frame;
 }
 
-/// Calls work(i) for all i below count, on several threads; the order is not fixed, so work(i) must depend on i alone.
-void forEachIndex(uint32_t count, uint32_t threads, const std::function<void(uint32_t)>& work) {
-  const uint32_t wanted = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
-  std::atomic<uint32_t> next{0};
-  const auto loop = [&] {
-    for (uint32_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::thread> helpers;
-  for (uint32_t i = 1; i < std::min(wanted, count); ++i) helpers.emplace_back(loop);
-  loop();
-  for (std::thread& helper : helpers) helper.join();
-}
-
 void summarizeFrames(CompareReport& report) {
   for (const FrameReport& frame : report.frames) {
     accumulate(report.mean, frame.symmetric);
@@ -118,7 +103,7 @@ void summarizeFrames(CompareReport& report) {
   report.mean_silhouette *= share;
 }
 
-double weightSumError(const Surface& surface) {
+double weightSumError(const MeasuredSurface& surface) {
   double largest = 0.0;
   for (const Skin& skin : surface.skins) {
     double sum = 0.0;

@@ -9,7 +9,7 @@ namespace lithe::bake {
 
 namespace {
 
-void appendVertex(const Model& model, uint32_t vertex, Surface& surface) {
+void appendVertex(const Model& model, uint32_t vertex, MeasuredSurface& surface) {
   surface.positions.emplace_back(model.positions[vertex]);
   if (model.attributes.normal) surface.normals.emplace_back(model.normals[vertex]);
   if (model.attributes.uv_sets > 0) surface.uvs.emplace_back(model.uvs[0][vertex]);
@@ -62,8 +62,8 @@ std::vector<glm::dvec3> smoothNormals(std::span<const glm::dvec3> positions, std
 
 }  // namespace
 
-Surface surfaceOf(const Model& model, bool include_rigid, const char* who) {
-  Surface surface;
+MeasuredSurface surfaceOf(const Model& model, bool include_rigid, const char* who) {
+  MeasuredSurface surface;
   std::vector<uint32_t> index_of(model.positions.size(), kNone);
   for (size_t i = 0; i < model.triangles.size(); ++i) {
     if (model.parts[model.triangle_part[i]].rigid_node != kNone && !include_rigid) continue;
@@ -113,7 +113,7 @@ std::vector<glm::dmat4> paletteAt(const Instant& instant, const std::vector<Join
   return palette;
 }
 
-PosedSurface poseSurface(const Surface& surface, std::span<const glm::dmat4> palette) {
+PosedSurface poseSurface(const MeasuredSurface& surface, std::span<const glm::dmat4> palette) {
   PosedSurface posed;
   posed.positions.reserve(surface.positions.size());
   posed.normals.reserve(surface.normals.size());

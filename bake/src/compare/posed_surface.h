@@ -12,7 +12,7 @@
 namespace lithe::bake {
 
 /// The parts of a model that are compared: used vertices only, structure of arrays. Skins index Model::joints.
-struct Surface {
+struct MeasuredSurface {
   std::vector<glm::dvec3> positions;  ///< bind space
   std::vector<glm::dvec3> normals;    ///< bind space; empty where the model has none
   std::vector<glm::dvec2> uvs;        ///< set 0; empty where the model has none
@@ -22,7 +22,7 @@ struct Surface {
 
 /// @param who  "original" or "simplified", for the message
 /// @throws Error when nothing is left to measure
-Surface surfaceOf(const Model& model, bool include_rigid, const char* who);
+MeasuredSurface surfaceOf(const Model& model, bool include_rigid, const char* who);
 
 /// Which of the original's nodes each joint of `model` follows.
 std::vector<uint32_t> matchJoints(const Model& original, const Model& model);
@@ -35,7 +35,7 @@ struct PosedSurface {
 /// Skins the surface with palette[joint] = world of the joint's matched node * the joint's own inverse bind.
 std::vector<glm::dmat4> paletteAt(const Instant& instant, const std::vector<Joint>& joints,
                                   const std::vector<uint32_t>& node_of_joint);
-PosedSurface poseSurface(const Surface& surface, std::span<const glm::dmat4> palette);
+PosedSurface poseSurface(const MeasuredSurface& surface, std::span<const glm::dmat4> palette);
 
 /// Diagonal of the bounding box.
 double diagonalOf(std::span<const glm::dvec3> positions);

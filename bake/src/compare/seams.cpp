@@ -49,7 +49,7 @@ std::vector<double> seamSpreads(const SeamPlaces& places, std::span<const glm::d
   return spreads;
 }
 
-SeamProbe makeSeamProbe(const Surface& original, std::span<const glm::dvec3> original_rest,
+SeamProbe makeSeamProbe(const MeasuredSurface& original, std::span<const glm::dvec3> original_rest,
                         std::span<const glm::dvec3> simplified_rest) {
   const double tolerance = kCoincident * diagonalOf(original_rest);
   SeamProbe probe;

@@ -30,7 +30,7 @@ struct SeamProbe {
   std::vector<Triangle> original_triangle_at;  ///< per simplified place: the original's nearest triangle at rest
 };
 
-SeamProbe makeSeamProbe(const Surface& original, std::span<const glm::dvec3> original_rest,
+SeamProbe makeSeamProbe(const MeasuredSurface& original, std::span<const glm::dvec3> original_rest,
                         std::span<const glm::dvec3> simplified_rest);
 
 /// In units of the positions.

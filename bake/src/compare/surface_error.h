@@ -9,10 +9,10 @@ namespace lithe::bake {
 
 /// A surface at an instant, ready to be searched.
 struct SearchableSurface {
-  SearchableSurface(const Surface& unposed, PosedSurface shape)
+  SearchableSurface(const MeasuredSurface& unposed, PosedSurface shape)
       : surface(unposed), posed(std::move(shape)), tree(posed.positions, surface.triangles) {}
 
-  const Surface& surface;
+  const MeasuredSurface& surface;
   PosedSurface posed;
   TriangleTree tree;
 };

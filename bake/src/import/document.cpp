@@ -52,6 +52,8 @@ tinygltf::Model load(const FileName& name, const std::string& text) {
   try {
     loaded = loader.LoadASCIIFromString(&document, &errors, &warnings, text.data(),
                                         static_cast<unsigned int>(text.size()), "");
+  } catch (const std::bad_alloc&) {
+    throw;  // that is not the document's fault
   } catch (const std::exception& exception) {
     errors = exception.what();
   }
@@ -85,7 +87,9 @@ void checkVersion(const FileName& name, const Json& json) {
 Json parseJson(const FileName& name, const std::string& text) {
   const auto visit = [&](int depth, Json::parse_event_t event, Json& value) {
     if (depth > kMaxDepth) name.fail("", "the JSON is nested too deeply; re-export the file");
-    return !(event == Json::parse_event_t::key && value == "extras");
+    // Not `value == "extras"`: that makes a value of the text, in a function that must not throw when there is no
+    // memory.
+    return !(event == Json::parse_event_t::key && value.get_ref<const std::string&>() == "extras");
   };
   Json json;
   try {

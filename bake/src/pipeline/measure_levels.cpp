@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the lithe authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <atomic>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "level_surface.h"
 #include "levels.h"
+#include "lithe/bake/parallel.h"
 
 namespace lithe::bake {
 namespace {
@@ -16,19 +15,6 @@ namespace {
 constexpr uint32_t kMeasuredSamples = 2000;
 /// Vertices that one thread looks up in a row.
 constexpr size_t kRun = 4096;
-
-template <typename Work>
-void parallel(size_t count, uint32_t threads, const Work& work) {
-  std::atomic<size_t> next{0};
-  auto loop = [&] {
-    for (size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::thread> pool;
-  const uint32_t wanted = threads ? threads : std::max(1u, std::thread::hardware_concurrency());
-  for (uint32_t t = 1; t < wanted && t < count; ++t) pool.emplace_back(loop);
-  loop();
-  for (std::thread& thread : pool) thread.join();
-}
 
 /// The first ones, since poses of clips and sampled ones begin with the strongest, and some spread over the others,
 /// since a pose file has any order.
@@ -83,7 +69,7 @@ Correspondence correspondence(const MovingSurface& original, const MeasuredLevel
   const size_t count = original.positions().size();
   Correspondence result;
   result.mesh_vertex.resize(count);
-  parallel((count + kRun - 1) / kRun, threads, [&](size_t run) {
+  forEachIndex(static_cast<uint32_t>((count + kRun - 1) / kRun), threads, [&](size_t run) {
     uint32_t hint = kNone;
     for (size_t vertex = run * kRun; vertex < std::min(count, (run + 1) * kRun); ++vertex) {
       const NearestPoint nearest = finest.surface.tree().nearest(original.positions()[vertex], hint);
@@ -132,18 +118,18 @@ void measureLevels(const Model& model, const Mesh& mesh, const CollapseSequence&
                    const std::function<void(double)>& progress) {
   const std::vector<Pose> poses = measuredPoses(all_poses);
   std::vector<std::optional<MeasuredLevel>> measured(levels.size());
-  parallel(levels.size(), threads,
-           [&](size_t i) { measured[i].emplace(levelSurface(mesh, sequence, levels[i].collapses)); });
+  forEachIndex(static_cast<uint32_t>(levels.size()), threads,
+               [&](size_t i) { measured[i].emplace(levelSurface(mesh, sequence, levels[i].collapses)); });
   MovingSurface original(model);
   Correspondence ties;
   for (size_t pose = 0; pose < poses.size(); ++pose) {
     // One more job than levels: the original's.
-    parallel(levels.size() + 1, threads, [&](size_t i) {
+    forEachIndex(static_cast<uint32_t>(levels.size() + 1), threads, [&](size_t i) {
       MovingSurface& surface = i == 0 ? original : measured[levels.size() - i]->surface;
       surface.moveTo(poses[pose]);
     });
     if (pose == 0) ties = correspondence(original, *measured.back(), mesh.vertexCount(), threads);
-    parallel(levels.size(), threads, [&](size_t done) {
+    forEachIndex(static_cast<uint32_t>(levels.size()), threads, [&](size_t done) {
       const size_t i = levels.size() - 1 - done;  // the finest, which takes longest, first
       if (measured[i]->level.shape.triangles.empty())
         levels[i].error = levels[i].error_rms = std::max(levels[i].error, posedDiagonal(model, {poses[pose]}));

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "absorb.h"
-#include "parallel.h"
+#include "lithe/bake/parallel.h"
 
 namespace lithe::bake {
 

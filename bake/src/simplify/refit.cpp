@@ -8,8 +8,8 @@
 
 #include "kernel_templates.h"
 #include "kernels.h"
+#include "lithe/bake/parallel.h"
 #include "normal_equations.h"
-#include "parallel.h"
 #include "weight_step.h"
 
 namespace lithe::bake {
