@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "asset.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "arguments.h"
@@ -72,13 +73,15 @@ void fillPageOffsets(lithe_asset* asset) {
 
 void fillLevels(lithe_asset* asset) {
   uint32_t hidden = 0;
+  asset->choices[0].coarser_error = INFINITY;
   for (uint32_t i = 0; i < asset->level_count; ++i) {
     Level& level = asset->levels[i];
     level.entry = readLevelEntry(asset->head.levels.record(i));
     hidden += level.entry.hidden_count;
     level.hidden_end = hidden;
     level.bytes_end = asset->page_offset[level.entry.page_end];
-    asset->level_error[i] = level.entry.error;
+    asset->choices[i + 1].coarser_error = level.entry.error;
+    asset->choices[i].triangles = level.entry.face_count - level.entry.hidden_count;
   }
 }
 

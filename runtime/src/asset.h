@@ -23,6 +23,12 @@ struct Level {
   uint32_t hidden_end;  ///< hidden faces of the levels up to and with this one
 };
 
+/// What selection wants of a level. The error of one stands with the next.
+struct LevelChoice {
+  float coarser_error;  ///< of the level before; infinity before the coarsest
+  uint32_t triangles;   ///< that are drawn
+};
+
 }  // namespace lithe::runtime
 
 /// Two blocks: this struct with the tables behind it, and the head's bytes.
@@ -33,15 +39,18 @@ struct lithe_asset {
 
   lithe::runtime::Head head;
   lithe::runtime::PageFormat format;
-  uint32_t level_count, page_count;
   lithe::runtime::Level levels[lithe::format::limits::kLevels];
-  float level_error[lithe::format::limits::kLevels];  ///< side by side, for selection
-  uint64_t* page_offset;                              ///< page_count + 1: where each page begins, and the file's end
-  lithe::runtime::UvGrid* uv_grids;                   ///< [part * uv_sets + set]
-
+  uint64_t* page_offset;             ///< page_count + 1: where each page begins, and the file's end
+  lithe::runtime::UvGrid* uv_grids;  ///< [part * uv_sets + set]
+  uint32_t page_count;
   uint32_t pages_resident;  ///< pages [0, pages_resident) have been decoded
-  uint32_t resident_level;  ///< LITHE_NO_LEVEL before the first page
   uint32_t visit_cursor;    ///< where the splits of the level being decoded go on
+
+  // What selection reads lies side by side: a crowd's instances come to any asset in any order.
+  uint32_t level_count;
+  uint32_t resident_level;  ///< LITHE_NO_LEVEL before the first page
+  lithe::runtime::LevelChoice choices[lithe::format::limits::kLevels + 1];
+
   lithe::runtime::Decoded decoded;
 };
 

@@ -4,7 +4,7 @@
 ///
 /// The counters hold, first, where each asset's own counters begin, then one counter per asset and level.
 #include "arguments.h"
-#include "lithe/runtime.h"
+#include "crowd.h"
 
 namespace lithe::runtime {
 namespace {
@@ -28,9 +28,16 @@ bool areSound(const lithe_placement* placements, uint32_t asset_count) {
   return counterCount(placements, asset_count) <= UINT32_MAX && drawCount(placements, asset_count) <= UINT32_MAX;
 }
 
-bool allNameAnAsset(const lithe_instance* instances, uint32_t instance_count, uint32_t asset_count) {
-  for (uint32_t i = 0; i < instance_count; ++i)
-    if (instances[i].level != LITHE_NO_LEVEL && instances[i].asset >= asset_count) return false;
+bool isDrawn(const lithe_instance& instance, uint32_t view_mask) {
+  return instance.level != LITHE_UNDRAWN && (instance.views & view_mask) != 0;
+}
+
+bool allNameAnAsset(const lithe_crowd& crowd, uint32_t view_mask) {
+  InstanceCursor instances(crowd);
+  for (uint32_t i = 0; i < crowd.instance_count; ++i) {
+    const lithe_instance& instance = *instances.next();
+    if (isDrawn(instance, view_mask) && instance.asset >= crowd.asset_count) return false;
+  }
   return true;
 }
 
@@ -43,8 +50,9 @@ void clearCounters(const lithe_placement* placements, uint32_t asset_count, uint
 }
 
 /// The counter of an instance; NULL for one that is not drawn.
-uint32_t* counterOf(const lithe_placement* placements, const lithe_instance& instance, uint32_t* counters) {
-  if (instance.level == LITHE_NO_LEVEL) return nullptr;
+uint32_t* counterOf(const lithe_placement* placements, const lithe_instance& instance, uint32_t view_mask,
+                    uint32_t* counters) {
+  if (!isDrawn(instance, view_mask)) return nullptr;
   const uint32_t level_count = placements[instance.asset].level_count;
   if (level_count == 0) return nullptr;
   const uint32_t level = instance.level < level_count ? instance.level : level_count - 1;
@@ -91,23 +99,25 @@ uint32_t lithe_draws_bound(const lithe_placement* placements, uint32_t asset_cou
   return bound > UINT32_MAX ? UINT32_MAX : static_cast<uint32_t>(bound);
 }
 
-lithe_result lithe_build_draws(const lithe_placement* placements, uint32_t asset_count, const lithe_instance* instances,
-                               uint32_t instance_count, uint32_t* instance_order, lithe_draw* draws,
-                               lithe_draw_key* keys, uint32_t* draw_count, uint32_t* counters) {
-  if (!draw_count || (asset_count && (!placements || !counters || !draws)) ||
-      (instance_count && (!instances || !instance_order)) || !areSound(placements, asset_count) ||
-      !allNameAnAsset(instances, instance_count, asset_count))
+lithe_result lithe_build_draws(const lithe_crowd* crowd, const lithe_placement* placements, uint32_t view_mask,
+                               uint32_t* instance_order, lithe_draw* draws, lithe_draw_key* keys, uint32_t* draw_count,
+                               uint32_t* counters) {
+  if (!crowd || !draw_count || !instancesAreSound(*crowd) ||
+      (crowd->asset_count && (!placements || !counters || !draws)) || (crowd->instance_count && !instance_order) ||
+      !areSound(placements, crowd->asset_count) || !allNameAnAsset(*crowd, view_mask))
     return invalidArgument();
-  clearCounters(placements, asset_count, counters);
-  for (uint32_t i = 0; i < instance_count; ++i)
-    if (uint32_t* counter = counterOf(placements, instances[i], counters)) ++*counter;
+  clearCounters(placements, crowd->asset_count, counters);
+  InstanceCursor counted(*crowd), ordered(*crowd);
+  for (uint32_t i = 0; i < crowd->instance_count; ++i)
+    if (uint32_t* counter = counterOf(placements, *counted.next(), view_mask, counters)) ++*counter;
   DrawList list = {draws, keys, 0};
   uint32_t first = 0;
-  for (uint32_t a = 0; a < asset_count; ++a)
+  for (uint32_t a = 0; a < crowd->asset_count; ++a)
     for (uint32_t l = 0; l < placements[a].level_count; ++l)
       drawLevel(placements[a], a, l, counters + counters[a] + l, &first, &list);
-  for (uint32_t i = 0; i < instance_count; ++i)
-    if (uint32_t* counter = counterOf(placements, instances[i], counters)) instance_order[(*counter)++] = i;
+  for (uint32_t i = 0; i < crowd->instance_count; ++i)
+    if (uint32_t* counter = counterOf(placements, *ordered.next(), view_mask, counters))
+      instance_order[(*counter)++] = i;
   *draw_count = list.count;
   return LITHE_OK;
 }

@@ -43,16 +43,16 @@ static lithe_result pullLevel(lithe_asset* asset, FILE* file, uint32_t level) {
   return result == LITHE_COMPLETE ? LITHE_OK : result;
 }
 
-/* Chooses a level for a camera at this distance, pulls the level it would like, and draws the one it gets. */
+/* Chooses a level for 60 degrees on 1080 rows and a pixel of error, pulls what it would like, draws what it gets. */
 static lithe_result step(lithe_asset* asset, FILE* file, float distance) {
-  const lithe_view view = {{0, 0, 0}, 935.0f /* 1080 rows, 60 degrees */, 0, 0.1f, 1.0f /* pixel */, 0.1f};
-  lithe_instance instance = {{0, 0, distance}, 0, 1, 1, 0, LITHE_NO_LEVEL};
-  const lithe_asset* assets[] = {asset};
+  const lithe_view view = {.pixels_per_radian = 935, .near_distance = 0.1f, .threshold_px = 1, .hysteresis = 0.1f};
+  lithe_instance instance = {.center = {0, 0, distance}, .scale = 1, .bias = 1, .level = LITHE_UNDRAWN};
+  const lithe_crowd crowd = {(const lithe_asset*[]){asset}, &instance, sizeof instance, 1, 1};
   uint32_t wanted = 0;
   lithe_level level;
-  lithe_result result = lithe_select(&view, assets, 1, &instance, 1, &wanted, NULL);
+  lithe_result result = lithe_select(&crowd, &view, 1, &wanted, NULL);
   if (result == LITHE_OK) result = pullLevel(asset, file, wanted);
-  if (result == LITHE_OK) result = lithe_select(&view, assets, 1, &instance, 1, NULL, NULL);
+  if (result == LITHE_OK) result = lithe_select(&crowd, &view, 1, NULL, NULL);
   if (result == LITHE_OK) result = lithe_asset_level(asset, instance.level, &level);
   if (result == LITHE_OK)
     printf("from %6.1f units: level %2u, %6u triangles, error %.5f, %llu bytes\n", distance, instance.level,

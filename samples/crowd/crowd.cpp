@@ -89,7 +89,7 @@ Crowd::Crowd(std::span<const sample::Character> characters, const sample::PoseBa
     const glm::vec3 position = cell + jitter * 0.45f * kSpacing;
     if (!isInGroup(position) && !isInCamerasWay(position)) place(characters, position, pickCharacter(seed, kinds));
   }
-  levels_.assign(actors_.size(), LITHE_NO_LEVEL);
+  levels_.assign(actors_.size(), LITHE_UNDRAWN);
   no_levels_ = levels_;
   seen_.reserve(actors_.size());
   casters_.reserve(actors_.size());
@@ -120,7 +120,7 @@ const sample::BankedPose& Crowd::poseOf(const Actor& actor, double seconds) cons
   return bank_->pose(actor.character, actor.clip, std::min(phase, sample::kPhases - 1));
 }
 
-void Crowd::pushInside(double seconds, const glm::mat4& view_projection, std::span<const uint32_t> levels,
+void Crowd::pushInside(double seconds, const glm::mat4& view_projection, std::span<const uint8_t> levels,
                        sample::DrawList& list, std::vector<uint32_t>& pushed) {
   const std::array<glm::vec4, 6> planes = planesOf(view_projection);
   list.clear();
@@ -131,7 +131,7 @@ void Crowd::pushInside(double seconds, const glm::mat4& view_projection, std::sp
     const glm::vec3 center = actor.position + actor.scale * turned(actor.heading, pose.center);
     const float radius = actor.scale * pose.radius;
     if (!meets(planes, center, radius)) continue;
-    list.push({{center.x, center.y, center.z}, radius, actor.scale, actor.bias, actor.character, levels[i]},
+    list.push({{center.x, center.y, center.z}, radius, actor.scale, actor.bias, actor.character, levels[i], 0, 0, 0},
               {{actor.position.x, actor.position.y, actor.position.z},
                actor.scale,
                {actor.heading.x, actor.heading.y},

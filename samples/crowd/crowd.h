@@ -39,11 +39,11 @@ class Crowd {
   void place(std::span<const sample::Character> characters, const glm::vec3& position, uint32_t character);
   const sample::BankedPose& poseOf(const Actor& actor, double seconds) const;
   /// pushed receives who it was, in the list's order.
-  void pushInside(double seconds, const glm::mat4& view_projection, std::span<const uint32_t> levels,
+  void pushInside(double seconds, const glm::mat4& view_projection, std::span<const uint8_t> levels,
                   sample::DrawList& list, std::vector<uint32_t>& pushed);
 
   const sample::PoseBank* bank_;
   std::vector<Actor> actors_;
-  std::vector<uint32_t> levels_, no_levels_;  ///< per actor
-  std::vector<uint32_t> seen_, casters_;      ///< actors last pushed, in the list's order
+  std::vector<uint8_t> levels_, no_levels_;  ///< per actor
+  std::vector<uint32_t> seen_, casters_;     ///< actors last pushed, in the list's order
 };

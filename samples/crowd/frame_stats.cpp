@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame_stats.h"
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -33,8 +34,8 @@ void countDraws(const sample::DrawList& list, std::span<const sample::Character>
     const lithe_instance& instance = list.instance(i);
     const sample::Character& character = characters[instance.asset];
     stats.finest_triangles += character.info.triangle_count;
-    if (instance.level == LITHE_NO_LEVEL) continue;
-    if (stats.levels.size() <= instance.level) stats.levels.resize(instance.level + 1);
+    if (instance.level == LITHE_UNDRAWN) continue;
+    if (stats.levels.size() <= instance.level) stats.levels.resize(instance.level + 1u);
     LevelCount& count = stats.levels[instance.level];
     ++count.instances;
     count.triangles += character.levels[instance.level].triangle_count;
@@ -50,6 +51,8 @@ std::vector<std::string> textLines(const FrameStats& stats) {
       format("%.2f of %.2f MB streamed at %.1f s", megabytes(stats.streamed_bytes), megabytes(stats.file_bytes),
              stats.seconds),
       format("%.1f MB resident, %.1f MB on the GPU", megabytes(stats.resident_bytes), megabytes(stats.gpu_bytes)),
+      std::isfinite(stats.largest_error_px) ? format("errors of at most %.2f pixels", stats.largest_error_px)
+                                            : "the coarsest levels, which are more than the budget",
       format("levels chosen in %.3f ms", stats.select_ms + stats.draws_ms),
   };
 }
@@ -67,6 +70,7 @@ nlohmann::ordered_json toJson(const FrameStats& stats) {
                               {"gpu_bytes", stats.gpu_bytes},
                               {"streamed_bytes", stats.streamed_bytes},
                               {"file_bytes", stats.file_bytes},
+                              {"largest_error_px", stats.largest_error_px},
                               {"select_ms", stats.select_ms},
                               {"draws_ms", stats.draws_ms},
                               {"resident_levels", stats.resident}};

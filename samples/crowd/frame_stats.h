@@ -30,6 +30,7 @@ struct FrameStats {
   uint64_t resident_bytes = 0;     ///< held by lithe
   uint64_t gpu_bytes = 0;          ///< vertices and indices uploaded
   uint64_t streamed_bytes = 0, file_bytes = 0;
+  double largest_error_px = 0;  ///< that the levels were chosen for: the threshold, or what the budget makes of it
   double select_ms = 0, draws_ms = 0;
 };
 

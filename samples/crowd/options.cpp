@@ -15,6 +15,8 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 100000));
   app.add_option("--pixels", options.threshold_px, "Largest error on screen, in pixels")
       ->check(CLI::Range(0.05, 100.0));
+  app.add_option("--triangles", options.triangles,
+                 "At most so many triangles in the picture, and the best picture that they give (0: no limit)");
   app.add_option("--bandwidth", options.bytes_per_second, "Bytes per simulated second that pages arrive with")
       ->check(CLI::Range(1e3, 1e12));
   app.add_option("--width", options.width, "Pixels")->check(CLI::Range(64, 8192));

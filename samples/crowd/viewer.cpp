@@ -101,7 +101,11 @@ void Viewer::selectSeen(const sample::Camera& camera) {
   lithe_select_stats select_stats{};
   std::fill(wanted_.begin(), wanted_.end(), 0);
   const Timer select_timer;
-  seen_.select(view, wanted_.data(), &select_stats);
+  stats_.largest_error_px = options_.threshold_px;
+  if (options_.triangles > 0)
+    stats_.largest_error_px *= seen_.selectWithin(view, options_.triangles, wanted_.data(), &select_stats);
+  else
+    seen_.select(view, wanted_.data(), &select_stats);
   stats_.select_ms = select_timer.milliseconds();
   const Timer build_timer;
   seen_.build();

@@ -21,6 +21,7 @@ DrawList::DrawList(std::span<const Character> characters, const Geometry& geomet
     : geometry_(&geometry),
       order_(capacity),
       counters_(drawBound(characters, geometry)),
+      budget_scratch_(lithe_budget_scratch(capacity) / sizeof(uint64_t) + 1),
       draws_(counters_.size()),
       keys_(counters_.size()),
       record_buffer_(capacity * sizeof(InstanceRecord)),
@@ -44,15 +45,27 @@ void DrawList::push(const lithe_instance& instance, const InstanceRecord& record
 }
 
 void DrawList::select(const lithe_view& view, uint32_t* wanted, lithe_select_stats* stats) {
-  check(lithe_select(&view, assets_.data(), static_cast<uint32_t>(assets_.size()), instances_.data(), size(), wanted,
-                     stats),
-        "lithe_select");
+  const lithe_crowd crowd = crowdOfAll();
+  check(lithe_select(&crowd, &view, 1, wanted, stats), "lithe_select");
+}
+
+float DrawList::selectWithin(const lithe_view& view, uint64_t triangles, uint32_t* wanted, lithe_select_stats* stats) {
+  const lithe_crowd crowd = crowdOfAll();
+  float factor = 1;
+  check(lithe_select_within(&crowd, &view, 1, triangles, wanted, stats, budget_scratch_.data(),
+                            budget_scratch_.size() * sizeof(uint64_t), &factor),
+        "lithe_select_within");
+  return factor;
+}
+
+lithe_crowd DrawList::crowdOfAll() {
+  return {assets_.data(), instances_.data(), 0, static_cast<uint32_t>(assets_.size()), size()};
 }
 
 void DrawList::build() {
-  const std::vector<lithe_placement>& placements = geometry_->placements();
-  check(lithe_build_draws(placements.data(), static_cast<uint32_t>(placements.size()), instances_.data(), size(),
-                          order_.data(), draws_.data(), keys_.data(), &draw_count_, counters_.data()),
+  const lithe_crowd crowd = crowdOfAll();
+  check(lithe_build_draws(&crowd, geometry_->placements().data(), ~0u, order_.data(), draws_.data(), keys_.data(),
+                          &draw_count_, counters_.data()),
         "lithe_build_draws");
 }
 

@@ -28,11 +28,14 @@ class DrawList {
   DrawList(std::span<const Character> characters, const Geometry& geometry, uint32_t capacity);
 
   void clear();
-  /// level: of the frame before, LITHE_NO_LEVEL at first
+  /// level: of the frame before, LITHE_UNDRAWN at first
   void push(const lithe_instance& instance, const InstanceRecord& record);
 
   /// Chooses the levels; raises wanted (per character, may be nullptr) to what would be needed.
   void select(const lithe_view& view, uint32_t* wanted, lithe_select_stats* stats);
+  /// The same for at most `triangles` triangles. Returns how many thresholds the largest error is then, 1 when all
+  /// fits.
+  float selectWithin(const lithe_view& view, uint64_t triangles, uint32_t* wanted, lithe_select_stats* stats);
   /// Sorts the instances into draws.
   void build();
   /// Sends instances, order and draws to the GPU.
@@ -46,11 +49,14 @@ class DrawList {
   std::span<const lithe_draw_key> keys() const { return {keys_.data(), draw_count_}; }
 
  private:
+  lithe_crowd crowdOfAll();
+
   std::vector<const lithe_asset*> assets_;
   const Geometry* geometry_;
   std::vector<lithe_instance> instances_;
   std::vector<InstanceRecord> records_;
   std::vector<uint32_t> order_, counters_;
+  std::vector<uint64_t> budget_scratch_;
   std::vector<lithe_draw> draws_;
   std::vector<lithe_draw_key> keys_;
   uint32_t draw_count_ = 0;

@@ -92,8 +92,9 @@ void LevelScene::measure() {
 void LevelScene::placeInstance(uint32_t level) {
   const glm::vec3 center = (low_ + high_) * 0.5f;
   list_.clear();
-  list_.push({{center.x, center.y, center.z}, glm::length(high_ - low_) * 0.5f, 1.0f, 1.0f, 0, level},
-             {{0, lift_, 0}, 1.0f, {heading_.x, heading_.y}, bank_.pose(0, 0, phase_).first_row, 0});
+  list_.push(
+      {{center.x, center.y, center.z}, glm::length(high_ - low_) * 0.5f, 1, 1, 0, static_cast<uint8_t>(level), 0, 0, 1},
+      {{0, lift_, 0}, 1.0f, {heading_.x, heading_.y}, bank_.pose(0, 0, phase_).first_row, 0});
   list_.build();
   list_.upload();
 }

@@ -7,7 +7,8 @@
 // 20 assets, each opened on its own, all levels resident: four bakes of the column with different levels, five
 // times each. Instances stand at random on a disc and the camera comes nearer from round to round, so that levels
 // change and no branch is always the same. "select" is lithe_select with hysteresis, wanted levels and stats; "draws"
-// is lithe_build_draws on what it chose; "read" adds up every field of every instance.
+// is lithe_build_draws on what it chose; "within" is lithe_select_within, on instances of its own, with half of the
+// triangles that the threshold takes; "read" adds up every field of every instance.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -100,7 +101,7 @@ std::vector<lithe_instance> crowdOf(uint32_t count) {
     instance.scale = kScale * (0.9f + 0.2f * unit());
     instance.bias = 1;
     instance.asset = random.below(kAssets);
-    instance.level = LITHE_NO_LEVEL;
+    instance.level = LITHE_UNDRAWN;
     crowd.push_back(instance);
   }
   return crowd;
@@ -124,9 +125,11 @@ lithe_view viewOf(int round) {
 
 struct Times {
   uint32_t instances = 0;
-  double select = 0, draws = 0, read = 0;  ///< seconds per pass
-  double common = 0;                       ///< share of instances with the most common level
-  double triangles = 0;                    ///< per instance
+  double select = 0, draws = 0, within = 0, read = 0;  ///< seconds per pass
+  double common = 0;                                   ///< share of instances with the most common level
+  double triangles = 0;                                ///< per instance
+  double spent = 0;                                    ///< of the budget, least of all passes
+  double changed = 0;                                  ///< share of instances whose level a budgeted pass changes, mean
 };
 
 /// Every byte once, in order: what memory alone costs.
@@ -146,6 +149,8 @@ class Passes {
   Passes(const Assets& assets, uint32_t count)
       : assets_(assets),
         crowd_(crowdOf(count)),
+        budgeted_(crowd_),
+        scratch_(lithe_budget_scratch(count) / 8 + 1),
         wanted_(kAssets),
         order_(count),
         draws_(lithe_draws_bound(assets.placements.data(), kAssets)),
@@ -156,15 +161,39 @@ class Passes {
     const lithe_view view = viewOf(round_++);
     stats_ = {};
     std::fill(wanted_.begin(), wanted_.end(), 0u);
-    if (lithe_select(&view, assets_.pointers.data(), kAssets, crowd_.data(), count(), wanted_.data(), &stats_) !=
-        LITHE_OK)
-      throw bake::Error("lithe_select fails");
+    const lithe_crowd crowd = of(crowd_);
+    if (lithe_select(&crowd, &view, 1, wanted_.data(), &stats_) != LITHE_OK) throw bake::Error("lithe_select fails");
+  }
+
+  /// The budget stays what the first threshold's triangles make it.
+  void selectWithin() {
+    if (budget_ == 0) budget_ = stats_.triangles / 2;
+    const lithe_view view = viewOf(budgeted_round_++);
+    lithe_select_stats stats = {};
+    const lithe_crowd crowd = of(budgeted_);
+    if (lithe_select_within(&crowd, &view, 1, budget_, wanted_.data(), &stats, scratch_.data(), scratch_.size() * 8,
+                            nullptr) != LITHE_OK)
+      throw bake::Error("lithe_select_within fails");
+    if (stats.triangles > budget_) throw bake::Error("more triangles than the budget");
+    spent_ = std::min(spent_, static_cast<double>(stats.triangles) / static_cast<double>(budget_));
+  }
+
+  /// Of the instances per round trip's step, not timed.
+  double changedShare() {
+    uint64_t changes = 0;
+    for (int i = 0; i < 2 * kCameraPlaces; ++i) {
+      const std::vector<lithe_instance> before = budgeted_;
+      selectWithin();
+      for (size_t k = 0; k < before.size(); ++k) changes += before[k].level != budgeted_[k].level;
+    }
+    return static_cast<double>(changes) / (2.0 * kCameraPlaces * count());
   }
 
   void buildDraws() {
     uint32_t draw_count = 0;
-    if (lithe_build_draws(assets_.placements.data(), kAssets, crowd_.data(), count(), order_.data(), draws_.data(),
-                          keys_.data(), &draw_count, counters_.data()) != LITHE_OK)
+    const lithe_crowd crowd = of(crowd_);
+    if (lithe_build_draws(&crowd, assets_.placements.data(), ~0u, order_.data(), draws_.data(), keys_.data(),
+                          &draw_count, counters_.data()) != LITHE_OK)
       throw bake::Error("lithe_build_draws fails");
     benchmark::DoNotOptimize(draw_count);
   }
@@ -172,6 +201,7 @@ class Passes {
   void read() { benchmark::DoNotOptimize(readAll(crowd_)); }
 
   uint32_t count() const { return static_cast<uint32_t>(crowd_.size()); }
+  double spent() const { return spent_; }
   double trianglesPerInstance() const { return static_cast<double>(stats_.triangles) / count(); }
   double shareOfMostCommonLevel() const {
     std::map<uint32_t, uint32_t> counts;
@@ -181,32 +211,53 @@ class Passes {
   }
 
  private:
+  lithe_crowd of(std::vector<lithe_instance>& instances) const {
+    return {assets_.pointers.data(), instances.data(), 0, kAssets, count()};
+  }
+
   const Assets& assets_;
-  std::vector<lithe_instance> crowd_;
+  std::vector<lithe_instance> crowd_, budgeted_;
+  std::vector<uint64_t> scratch_;
+  uint64_t budget_ = 0;
+  double spent_ = 1;
   std::vector<uint32_t> wanted_, order_;
   std::vector<lithe_draw> draws_;
   std::vector<lithe_draw_key> keys_;
   std::vector<uint32_t> counters_;
   lithe_select_stats stats_{};
-  int round_ = 0;
+  int round_ = 0, budgeted_round_ = 0;
 };
 
 Times measure(const Assets& assets, uint32_t count) {
   Passes passes(assets, count);
-  const std::vector<double> seconds =
-      medianSeconds({[&] { passes.select(); }, [&] { passes.buildDraws(); }, [&] { passes.read(); }}, 33, 0.5);
-  return {count, seconds[0], seconds[1], seconds[2], passes.shareOfMostCommonLevel(), passes.trianglesPerInstance()};
+  const std::vector<double> seconds = medianSeconds(
+      {[&] { passes.select(); }, [&] { passes.buildDraws(); }, [&] { passes.selectWithin(); }, [&] { passes.read(); }},
+      33, 0.5);
+  Times times;
+  times.instances = count;
+  times.select = seconds[0];
+  times.draws = seconds[1];
+  times.within = seconds[2];
+  times.read = seconds[3];
+  times.common = passes.shareOfMostCommonLevel();
+  times.triangles = passes.trianglesPerInstance();
+  times.changed = passes.changedShare();
+  times.spent = passes.spent();
+  return times;
 }
 
 void print(const std::vector<Times>& all) {
   std::printf(
-      "| instances | select ns each | draws ns each | read ns each | select / read | select ms | select + draws ms | "
-      "most common level | triangles each |\n|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+      "| instances | select ns each | draws ns each | within ns each | read ns each | select / read | select + draws "
+      "ms "
+      "| within + draws ms | budget spent, at least | levels changed a frame | most common level | triangles each |\n"
+      "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const Times& times : all) {
     const double each = 1e9 / times.instances;
-    std::printf("| %u | %.2f | %.2f | %.2f | %.1f | %.4f | %.4f | %.0f %% | %.0f |\n", times.instances,
-                times.select * each, times.draws * each, times.read * each, times.select / times.read,
-                1e3 * times.select, 1e3 * (times.select + times.draws), 100 * times.common, times.triangles);
+    std::printf("| %u | %.2f | %.2f | %.2f | %.2f | %.1f | %.4f | %.4f | %.2f %% | %.2f %% | %.0f %% | %.0f |\n",
+                times.instances, times.select * each, times.draws * each, times.within * each, times.read * each,
+                times.select / times.read, 1e3 * (times.select + times.draws), 1e3 * (times.within + times.draws),
+                100 * times.spent, 100 * times.changed, 100 * times.common, times.triangles);
   }
 }
 

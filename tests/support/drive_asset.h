@@ -113,16 +113,32 @@ inline void describeAll(const lithe_asset* asset, const lithe_asset_info& info) 
   for (uint32_t i = 0; i < info.level_count; ++i) LITHE_DEMAND(lithe_asset_memory(asset, i) > 0);
 }
 
-/// Chooses a level for a near and a far instance and builds their draws.
+/// Chooses levels for a near and a far instance, by threshold and within a budget, and builds their draws.
 inline void selectAndDraw(const lithe_asset* asset, const lithe_asset_info& info, uint32_t resident) {
-  const lithe_view view = {{0, 0, 0}, 1000, 0, 0.1f, 1, 0.2f};
-  lithe_instance instances[2] = {{{0, 0, 2}, 1, 1, 1, 0, LITHE_NO_LEVEL}, {{0, 0, 1e5f}, 1, 1, 1, 0, LITHE_NO_LEVEL}};
+  lithe_view view = {};
+  view.pixels_per_radian = 1000;
+  view.near_distance = 0.1f;
+  view.threshold_px = 1;
+  view.hysteresis = 0.2f;
+  lithe_instance instances[2] = {};
+  for (lithe_instance& instance : instances) {
+    instance.radius = instance.scale = instance.bias = 1;
+    instance.level = LITHE_UNDRAWN;
+  }
+  instances[0].center[2] = 2;
+  instances[1].center[2] = 1e5f;
+  const lithe_crowd crowd = {&asset, instances, 0, 1, 2};
   uint32_t wanted = 0;
-  lithe_select_stats stats = {};
-  LITHE_DEMAND(lithe_select(&view, &asset, 1, instances, 2, &wanted, &stats) == LITHE_OK);
+  lithe_select_stats stats = {}, within = {};
+  LITHE_DEMAND(lithe_select(&crowd, &view, 1, &wanted, &stats) == LITHE_OK);
   LITHE_DEMAND(wanted < info.level_count);
+  std::vector<uint64_t> scratch(lithe_budget_scratch(2) / 8 + 1);
+  float factor = 0;
+  LITHE_DEMAND(lithe_select_within(&crowd, &view, 1, stats.triangles, nullptr, &within, scratch.data(),
+                                   scratch.size() * 8, &factor) == LITHE_OK);
+  LITHE_DEMAND(within.triangles <= stats.triangles && factor >= 1);
   for (const lithe_instance& instance : instances)
-    LITHE_DEMAND(resident == LITHE_NO_LEVEL ? instance.level == LITHE_NO_LEVEL : instance.level <= resident);
+    LITHE_DEMAND(resident == LITHE_NO_LEVEL ? instance.level == LITHE_UNDRAWN : instance.level <= resident);
   if (resident == LITHE_NO_LEVEL) return;
   std::vector<lithe_range> ranges, of_level;
   for (uint32_t level = 0; level <= resident; ++level) {
@@ -135,7 +151,7 @@ inline void selectAndDraw(const lithe_asset* asset, const lithe_asset_info& info
   std::vector<lithe_draw_key> keys(bound);
   std::vector<uint32_t> counters(bound);
   uint32_t order[2], draw_count = 0;
-  LITHE_DEMAND(lithe_build_draws(&placement, 1, instances, 2, order, draws.data(), keys.data(), &draw_count,
+  LITHE_DEMAND(lithe_build_draws(&crowd, &placement, 1, order, draws.data(), keys.data(), &draw_count,
                                  counters.data()) == LITHE_OK);
   LITHE_DEMAND(draw_count <= bound);
 }

@@ -25,6 +25,7 @@ struct AssetShape {
   uint32_t joints = 7, parts = 3, uv_sets = 2, color_sets = 1;
   bool normals = true, tangents = true;
   uint32_t pages_per_level = 1;  ///< of every level after the base
+  uint32_t hidden_of = 8;        ///< one face of so many is hidden at each level; 0: none
   float uv_offset = 0.25f, uv_scale = 0x1p-13f;
 };
 
@@ -176,8 +177,8 @@ class HandMade {
     level.node_count = static_cast<uint32_t>(nodes.size());
     level.wedge_count = static_cast<uint32_t>(wedges.size());
     level.hidden.clear();
-    for (uint32_t f = 0; f < level.faces.size(); ++f)
-      if (random_.below(8) == 0) level.hidden.push_back(f);
+    for (uint32_t f = 0; shape_.hidden_of > 0 && f < level.faces.size(); ++f)
+      if (random_.below(shape_.hidden_of) == 0) level.hidden.push_back(f);
     levels.push_back(level);
   }
 

@@ -95,8 +95,10 @@ FileSkin InfluenceArrays::read(uint64_t vertex, SkinRepairs& repairs) const {
   for (const Influence& influence : influences) sum += influence.weight;
   FileSkin skin;
   for (const Influence& influence : influences) {
+    const float share = static_cast<float>(influence.weight / sum);
+    if (!(share > 0.0f)) break;  // beside a huge weight a tiny one is nothing; those behind are no larger
     skin.joint[skin.count] = influence.joint;
-    skin.weight[skin.count] = static_cast<float>(influence.weight / sum);
+    skin.weight[skin.count] = share;
     ++skin.count;
   }
   return skin;

@@ -112,6 +112,8 @@ LITHE_API void lithe_asset_close(lithe_asset* asset);
 #define LITHE_MAX_COLOR_SETS 2
 #define LITHE_MAX_INFLUENCES 8
 #define LITHE_NO_LEVEL 0xffffffffu
+#define LITHE_MAX_VIEWS 8
+#define LITHE_MAX_PLANES 6
 #define LITHE_NO_INDEX 0xffffffffu
 
 typedef struct lithe_asset_info {
@@ -343,37 +345,76 @@ typedef struct lithe_view {
                               0: orthographic, then pixels_per_unit counts */
   float pixels_per_unit;   /* orthographic: viewport height / height of the view volume */
   float near_distance;     /* > 0; distances are not taken smaller */
-  float threshold_px;      /* the largest error on screen that is allowed, > 0 */
+  float threshold_px;      /* the largest error on this view's screen that is allowed, > 0 */
   float hysteresis;        /* 0..0.9: a coarser level than the current one is taken only when its error is below
                               threshold_px * (1 - hysteresis) */
+  float least_px;          /* >= 0: a sphere that is smaller across than this is not seen. 0: none is too small */
+  uint32_t plane_count;    /* 0..LITHE_MAX_PLANES: a sphere that is wholly outside one of the planes is not seen */
+  float planes[LITHE_MAX_PLANES][4]; /* world space, unit normals: inside is x p[0] + y p[1] + z p[2] + p[3] >= 0 */
 } lithe_view;
 
-/* One drawn character. The host fills it and keeps it; `level` is read (hysteresis) and written by lithe_select. */
+/* One drawn character. The host fills it and keeps it from frame to frame; lithe_select reads `level` (hysteresis) and
+ * writes it and `views`. All zero but for center, scale, bias and level is a good start. */
 typedef struct lithe_instance {
   float center[3]; /* bounding sphere of the posed character, world space */
   float radius;
-  float scale;    /* world units per bind-space unit of the asset (largest axis) */
-  float bias;     /* multiplies the error: 2 asks for twice the quality; 1 normal */
-  uint32_t asset; /* index into the assets given to lithe_select */
-  uint32_t level; /* LITHE_NO_LEVEL: not chosen yet, or nothing resident */
+  float scale;         /* world units per bind-space unit of the asset (largest axis) */
+  float bias;          /* multiplies the error: 2 asks for twice the quality; 1 normal */
+  uint32_t asset;      /* index into the crowd's assets */
+  uint8_t level;       /* LITHE_UNDRAWN: not chosen yet, or nothing resident; an instance that no view sees keeps it */
+  uint8_t first_level; /* never coarser than this; 0: no bound */
+  uint8_t end_level;   /* always coarser than this; 0: no bound */
+  uint8_t views;       /* bit v: view v sees it */
 } lithe_instance;
+
+#define LITHE_UNDRAWN 0xffu
+
+/* The instances that a call is about. They may be the beginning of larger structs of the host: a stride says so. A
+ * range of them is a crowd too, which is how a crowd is split over threads. */
+typedef struct lithe_crowd {
+  const lithe_asset* const* assets;
+  lithe_instance* instances;
+  size_t instance_stride; /* bytes from one to the next, a multiple of 4; 0: sizeof(lithe_instance) */
+  uint32_t asset_count;
+  uint32_t instance_count;
+} lithe_crowd;
 
 typedef struct lithe_select_stats {
   uint64_t triangles;  /* of the chosen levels */
   uint32_t undrawable; /* instances whose asset has no resident level */
   uint32_t limited;    /* instances that would like a finer level than is resident */
+  uint32_t unseen;     /* instances that no view sees; the other counts leave them out */
 } lithe_select_stats;
 
-/* Chooses for each instance the coarsest level whose error on screen is within the threshold, among the resident ones.
+/* Chooses for each instance the coarsest level whose error on screen is within the threshold of every view that sees
+ * it, among the resident ones and those of its own bounds.
  *     error_px = level.error * scale * bias * pixels_per_radian / max(distance to the sphere, near_distance)
- * wanted_levels  may be NULL; per asset, raised (never lowered) to the finest level any instance would like: what to
- *                request next. The caller sets it to 0 before the frame's first call.
+ * views          1 to LITHE_MAX_VIEWS, seen at the same time: split screens, the cascades of a shadow map (with higher
+ *                thresholds). An instance is seen by a view where its sphere is inside all planes and not too small.
+ * wanted_levels  may be NULL; per asset, raised (never lowered) to the finest level any seen instance would like: what
+ *                to request next. The caller sets it to 0 before the frame's first call.
  * stats          may be NULL; added to
- * Never allocates. The instances may be split in ranges over threads (with separate wanted_levels and stats). */
-LITHE_NODISCARD LITHE_API lithe_result lithe_select(const lithe_view* view, const lithe_asset* const* assets,
-                                                    uint32_t asset_count, lithe_instance* instances,
-                                                    uint32_t instance_count, uint32_t* wanted_levels,
+ * Never allocates. A crowd may be split in ranges over threads (with separate wanted_levels and stats). An instance
+ * whose asset is not one ends the call with LITHE_ERROR_INVALID_ARGUMENT: those before it have been chosen. */
+LITHE_NODISCARD LITHE_API lithe_result lithe_select(const lithe_crowd* crowd, const lithe_view* views,
+                                                    uint32_t view_count, uint32_t* wanted_levels,
                                                     lithe_select_stats* stats);
+
+/* The same within a budget: the best picture that `triangles` triangles can give. All thresholds are multiplied by the
+ * smallest factor >= 1 with which the chosen levels have at most that many together, so the largest error on screen, in
+ * thresholds, is as small as it can be, within a 128th. What is left then goes to the instances whose errors are alike
+ * up to that, in their order; what remains unspent is less than the next finer level of any of those costs.
+ * triangles  of all instances in all views that see them, each counted once. Where even the coarsest levels have more,
+ *            those are chosen, and stats say so.
+ * scratch    scratch_bytes, at least lithe_budget_scratch(), aligned to 8
+ * factor     may be NULL; receives the factor: above 1 the budget rules. Infinity where even the coarsest levels have
+ *            more.
+ * Never allocates; the time is linear in the instances. One call for the whole crowd. */
+LITHE_NODISCARD LITHE_API lithe_result lithe_select_within(const lithe_crowd* crowd, const lithe_view* views,
+                                                           uint32_t view_count, uint64_t triangles,
+                                                           uint32_t* wanted_levels, lithe_select_stats* stats,
+                                                           void* scratch, size_t scratch_bytes, float* factor);
+LITHE_API uint64_t lithe_budget_scratch(uint32_t instance_count);
 
 /* ---- Draws ------------------------------------------------------------------------------------------------------- */
 
@@ -403,16 +444,17 @@ typedef struct lithe_draw_key {
 LITHE_API uint32_t lithe_draws_bound(const lithe_placement* placements, uint32_t asset_count);
 
 /* Groups instances by asset and level: one draw per part, each level's instances side by side.
- * instance_order receives instance_count indices into instances: instance i of a draw is
+ * placements     one per asset of the crowd, whose `assets` is not read
+ * view_mask      instances that none of these views sees (bit v: view v) are left out; ~0u: those that no view sees
+ * instance_order receives at most instance_count indices into the crowd: instance i of a draw is
  *                instance_order[draw.first_instance + i]; instances without a level are left out
  * draws, keys    receive at most lithe_draws_bound entries (keys may be NULL); empty parts and levels get none
  * counters       scratch, lithe_draws_bound entries
  * Never allocates; time linear in instances and draws. An instance whose level is not in the host's buffers is drawn
  * with the finest level that is. */
-LITHE_NODISCARD LITHE_API lithe_result lithe_build_draws(const lithe_placement* placements, uint32_t asset_count,
-                                                         const lithe_instance* instances, uint32_t instance_count,
-                                                         uint32_t* instance_order, lithe_draw* draws,
-                                                         lithe_draw_key* keys, uint32_t* draw_count,
+LITHE_NODISCARD LITHE_API lithe_result lithe_build_draws(const lithe_crowd* crowd, const lithe_placement* placements,
+                                                         uint32_t view_mask, uint32_t* instance_order,
+                                                         lithe_draw* draws, lithe_draw_key* keys, uint32_t* draw_count,
                                                          uint32_t* counters);
 
 #ifdef __cplusplus

@@ -180,13 +180,32 @@ class Asset {
   lithe_asset* asset_ = nullptr;
 };
 
-/// lithe_select over ranges. wanted_levels: empty, or one per asset.
-[[nodiscard]] inline Result select(const lithe_view& view, Span<const lithe_asset* const> assets,
-                                   Span<lithe_instance> instances, Span<std::uint32_t> wanted_levels = {},
-                                   lithe_select_stats* stats = nullptr) {
-  if (wanted_levels.data && wanted_levels.size < assets.size) return Result::kBufferTooSmall;
-  return static_cast<Result>(lithe_select(&view, assets.data, static_cast<std::uint32_t>(assets.size), instances.data,
-                                          static_cast<std::uint32_t>(instances.size), wanted_levels.data, stats));
+/// Assets and the instances of them. Where the instances begin larger structs of the host, fill a lithe_crowd.
+inline lithe_crowd crowdOf(Span<const lithe_asset* const> assets, Span<lithe_instance> instances) {
+  return {assets.data, instances.data, 0, static_cast<std::uint32_t>(assets.size),
+          static_cast<std::uint32_t>(instances.size)};
+}
+
+/// lithe_select. wanted_levels: empty, or one per asset.
+[[nodiscard]] inline Result select(const lithe_crowd& crowd, Span<const lithe_view> views,
+                                   Span<std::uint32_t> wanted_levels = {}, lithe_select_stats* stats = nullptr) {
+  if (wanted_levels.data && wanted_levels.size < crowd.asset_count) return Result::kBufferTooSmall;
+  return static_cast<Result>(
+      lithe_select(&crowd, views.data, static_cast<std::uint32_t>(views.size), wanted_levels.data, stats));
+}
+
+inline std::size_t budgetScratch(std::uint32_t instance_count) {
+  return static_cast<std::size_t>(lithe_budget_scratch(instance_count));
+}
+
+/// lithe_select_within. scratch: budgetScratch() bytes, aligned to 8.
+[[nodiscard]] inline Result selectWithin(const lithe_crowd& crowd, Span<const lithe_view> views,
+                                         std::uint64_t triangles, Span<std::uint8_t> scratch,
+                                         Span<std::uint32_t> wanted_levels = {}, lithe_select_stats* stats = nullptr,
+                                         float* factor = nullptr) {
+  if (wanted_levels.data && wanted_levels.size < crowd.asset_count) return Result::kBufferTooSmall;
+  return static_cast<Result>(lithe_select_within(&crowd, views.data, static_cast<std::uint32_t>(views.size), triangles,
+                                                 wanted_levels.data, stats, scratch.data, scratch.size, factor));
 }
 
 /// Where lithe_build_draws puts what it finds; sizes are checked. keys may be empty.
@@ -212,16 +231,17 @@ template <typename Index>
                                                  scratch.data, scratch.size));
 }
 
-[[nodiscard]] inline Result buildDraws(Span<const lithe_placement> placements, Span<const lithe_instance> instances,
-                                       const DrawBuffers& buffers, std::uint32_t* draw_count) {
-  const std::uint32_t asset_count = static_cast<std::uint32_t>(placements.size);
-  const std::uint32_t bound = lithe_draws_bound(placements.data, asset_count);
-  if (buffers.instance_order.size < instances.size || buffers.draws.size < bound || buffers.counters.size < bound ||
-      (buffers.keys.data && buffers.keys.size < bound))
+/// lithe_build_draws. view_mask: which views' instances are drawn.
+[[nodiscard]] inline Result buildDraws(const lithe_crowd& crowd, Span<const lithe_placement> placements,
+                                       std::uint32_t view_mask, const DrawBuffers& buffers, std::uint32_t* draw_count) {
+  const std::uint32_t bound = lithe_draws_bound(placements.data, static_cast<std::uint32_t>(placements.size));
+  if (placements.size < crowd.asset_count) return Result::kInvalidArgument;
+  if (buffers.instance_order.size < crowd.instance_count || buffers.draws.size < bound ||
+      buffers.counters.size < bound || (buffers.keys.data && buffers.keys.size < bound))
     return Result::kBufferTooSmall;
-  return static_cast<Result>(lithe_build_draws(
-      placements.data, asset_count, instances.data, static_cast<std::uint32_t>(instances.size),
-      buffers.instance_order.data, buffers.draws.data, buffers.keys.data, draw_count, buffers.counters.data));
+  return static_cast<Result>(lithe_build_draws(&crowd, placements.data, view_mask, buffers.instance_order.data,
+                                               buffers.draws.data, buffers.keys.data, draw_count,
+                                               buffers.counters.data));
 }
 
 }  // namespace lithe

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "crowds.h"
 #include "hand_made_asset.h"
 
 namespace lithe::test {
@@ -17,31 +19,19 @@ AssetShape manyLevels() {
   return shape;
 }
 
-lithe_view perspective(float threshold_px) {
-  lithe_view view = {};
-  view.pixels_per_radian = 500;
-  view.near_distance = 0.1f;
-  view.threshold_px = threshold_px;
-  return view;
-}
-
-lithe_instance instanceAt(float distance, uint32_t level = LITHE_NO_LEVEL) {
-  lithe_instance instance = {};
-  instance.center[2] = distance;
-  instance.scale = 1;
-  instance.bias = 1;
-  instance.level = level;
-  return instance;
-}
-
 class Select : public testing::Test {
  protected:
   Select() : hand_(manyLevels(), 4), asset_(hand_.open()) {}
 
   uint32_t selected(const lithe_view& view, lithe_instance instance) {
-    const lithe_asset* assets[] = {asset_.get()};
-    EXPECT_EQ(lithe_select(&view, assets, 1, &instance, 1, nullptr, nullptr), LITHE_OK);
+    EXPECT_EQ(select({view}, &instance), LITHE_OK);
     return instance.level;
+  }
+  lithe_result select(const std::vector<lithe_view>& views, lithe_instance* instance,
+                      lithe_select_stats* stats = nullptr) const {
+    const lithe_asset* assets[] = {asset_.get()};
+    const lithe_crowd crowd = {assets, instance, 0, 1, 1};
+    return lithe_select(&crowd, views.data(), static_cast<uint32_t>(views.size()), nullptr, stats);
   }
 
   /// The definition, level by level.
@@ -132,11 +122,10 @@ TEST_F(Select, HysteresisStopsFlicker) {
     lithe_view view = perspective(5);
     view.hysteresis = hysteresis;
     lithe_instance instance = instanceAt(150);
-    const lithe_asset* assets[] = {asset_.get()};
-    uint32_t changes = 0, last = LITHE_NO_LEVEL;
+    uint32_t changes = 0, last = LITHE_UNDRAWN;
     for (uint32_t frame = 0; frame < 100; ++frame) {
       instance.center[2] = frame % 2 ? 149.0f : 151.0f;
-      ASSERT_EQ(lithe_select(&view, assets, 1, &instance, 1, nullptr, nullptr), LITHE_OK);
+      ASSERT_EQ(select({view}, &instance), LITHE_OK);
       changes += instance.level != last;
       last = instance.level;
     }
@@ -155,10 +144,11 @@ TEST_F(Select, DrawsWhatIsResidentAndSaysWhatIsWanted) {
   uint32_t wanted[2] = {0, 0};
   lithe_select_stats stats = {};
   const lithe_view view = perspective(5);
-  ASSERT_EQ(lithe_select(&view, assets, 2, instances.data(), 4, wanted, &stats), LITHE_OK);
+  const lithe_crowd crowd = {assets, instances.data(), 0, 2, 4};
+  ASSERT_EQ(lithe_select(&crowd, &view, 1, wanted, &stats), LITHE_OK);
   EXPECT_EQ(instances[0].level, 2u);
   EXPECT_EQ(instances[1].level, 0u);
-  EXPECT_EQ(instances[2].level, LITHE_NO_LEVEL);
+  EXPECT_EQ(instances[2].level, LITHE_UNDRAWN);
   EXPECT_EQ(instances[3].level, 2u);
   EXPECT_EQ(hand_.errors[wanted[0]], 0.5f);
   EXPECT_EQ(other.errors[wanted[1]], 1.0f);
@@ -170,27 +160,133 @@ TEST_F(Select, DrawsWhatIsResidentAndSaysWhatIsWanted) {
   EXPECT_EQ(stats.triangles, 2ull * fine.triangle_count + coarse.triangle_count);
   // Raised, never lowered.
   uint32_t high[2] = {9, 0};
-  ASSERT_EQ(lithe_select(&view, assets, 2, instances.data(), 4, high, nullptr), LITHE_OK);
+  ASSERT_EQ(lithe_select(&crowd, &view, 1, high, nullptr), LITHE_OK);
   EXPECT_EQ(high[0], 9u);
 }
 
-TEST_F(Select, BadArgumentsChangeNothing) {
+TEST_F(Select, EveryViewIsServed) {
+  Random random(21);
+  for (uint32_t i = 0; i < 2000; ++i) {
+    std::vector<lithe_view> views(1 + random.below(LITHE_MAX_VIEWS));
+    uint32_t finest = 0;
+    const lithe_instance instance = instanceAt(static_cast<float>(300 * random.unit()));
+    for (lithe_view& view : views) {
+      view = perspective(static_cast<float>(1 + 20 * random.unit()));
+      view.position[0] = static_cast<float>(500 * random.unit());
+      finest = std::max(finest, selected(view, instance));
+    }
+    lithe_instance seen = instance;
+    ASSERT_EQ(select(views, &seen), LITHE_OK);
+    ASSERT_EQ(seen.level, finest);
+    ASSERT_EQ(seen.views, (1u << views.size()) - 1);
+  }
+}
+
+TEST_F(Select, WhatIsOutsideAPlaneIsNotSeenByThatView) {
+  lithe_view left = perspective(5), right = perspective(5);
+  left.plane_count = right.plane_count = 2;
+  left.planes[0][0] = -1, left.planes[1][1] = 1;  // x <= 0 and y >= 0
+  right.planes[0][0] = 1, right.planes[1][1] = 1;
+  lithe_instance instance = instanceAt(100);
+  instance.radius = 2;
+  const auto viewsAt = [&](float x, float y) {
+    instance.center[0] = x;
+    instance.center[1] = y;
+    EXPECT_EQ(select({left, right}, &instance), LITHE_OK);
+    return instance.views;
+  };
+  EXPECT_EQ(viewsAt(-2.1f, 0), 1);
+  EXPECT_EQ(viewsAt(-1.9f, 0), 3);
+  EXPECT_EQ(viewsAt(1.9f, -1.9f), 3);
+  EXPECT_EQ(viewsAt(2.1f, 0), 2);
+  // An unseen one keeps its level for when it is seen again, and counts nowhere else.
+  const uint32_t level = instance.level;
+  EXPECT_EQ(viewsAt(0, -2.1f), 0);
+  EXPECT_EQ(instance.level, level);
+  lithe_select_stats stats = {};
+  ASSERT_EQ(select({left, right}, &instance, &stats), LITHE_OK);
+  EXPECT_EQ(stats.unseen, 1u);
+  EXPECT_EQ(stats.triangles + stats.undrawable + stats.limited, 0u);
+}
+
+TEST_F(Select, WhatIsTooSmallIsNotSeen) {
+  lithe_view view = perspective(5), flat = perspective(5);
+  view.least_px = flat.least_px = 4;
+  flat.pixels_per_radian = 0;
+  flat.pixels_per_unit = 2;
+  lithe_instance instance = instanceAt(0);
+  instance.radius = 1;
+  const auto seenAt = [&](const lithe_view& by, float distance) {
+    instance.center[2] = distance;
+    EXPECT_EQ(select({by}, &instance), LITHE_OK);
+    return instance.views == 1;
+  };
+  EXPECT_TRUE(seenAt(view, 249));  // 2 units across: 1000 pixels at distance 1
+  EXPECT_FALSE(seenAt(view, 251));
+  EXPECT_TRUE(seenAt(view, 0));
+  EXPECT_TRUE(seenAt(flat, 1e6f));  // 4 pixels anywhere
+  instance.radius = 0.99f;
+  EXPECT_FALSE(seenAt(flat, 1));
+}
+
+TEST_F(Select, BoundsOfAnInstanceAreKept) {
+  const uint32_t finest = static_cast<uint32_t>(hand_.levels.size()) - 1;
+  for (uint32_t first = 0; first <= finest + 2; ++first)
+    for (uint32_t end = 0; end <= finest + 3; ++end)
+      for (const float distance : {0.0f, 150.0f, 1e6f}) {
+        lithe_instance bounded = instanceAt(distance);
+        const uint32_t free = selected(perspective(5), bounded);
+        bounded.first_level = static_cast<uint8_t>(first);
+        bounded.end_level = static_cast<uint8_t>(end);
+        const uint32_t last = end == 0 ? finest : std::min(end - 1, finest);
+        EXPECT_EQ(selected(perspective(5), bounded), std::min(std::max(free, first), last));
+      }
+}
+
+// The instances as the beginning of the host's own structs.
+TEST_F(Select, InstancesMayLieAnywhere) {
+  struct Actor {
+    lithe_instance instance;
+    uint32_t own[3];
+  };
+  std::vector<Actor> actors;
+  for (uint32_t i = 0; i < 50; ++i) actors.push_back({instanceAt(10.0f * static_cast<float>(i)), {i, i, i}});
+  const lithe_asset* assets[] = {asset_.get()};
+  const lithe_crowd crowd = {assets, &actors[0].instance, sizeof(Actor), 1, 50};
+  const lithe_view view = perspective(5);
+  ASSERT_EQ(lithe_select(&crowd, &view, 1, nullptr, nullptr), LITHE_OK);
+  for (uint32_t i = 0; i < 50; ++i) {
+    EXPECT_EQ(actors[i].instance.level, selected(view, instanceAt(10.0f * static_cast<float>(i))));
+    EXPECT_TRUE(actors[i].own[0] == i && actors[i].own[1] == i && actors[i].own[2] == i);
+  }
+}
+
+TEST_F(Select, NumbersThatAreNoneGiveALevelAllTheSame) {
+  for (const float odd : {NAN, INFINITY, -INFINITY, -1.0f, 0.0f, 3e38f}) {
+    for (float lithe_instance::*member : {&lithe_instance::radius, &lithe_instance::scale, &lithe_instance::bias}) {
+      lithe_instance instance = instanceAt(100);
+      instance.*member = odd;
+      EXPECT_LT(selected(perspective(5), instance), hand_.levels.size());
+    }
+    EXPECT_LT(selected(perspective(5), instanceAt(odd)), hand_.levels.size());
+  }
+}
+
+TEST_F(Select, BadArgumentsAreRefused) {
   const lithe_asset* assets[] = {asset_.get(), nullptr};
   const lithe_view good = perspective(5);
-  auto call = [&](auto change, uint32_t second_asset = 0) {
+  auto call = [&](auto change) {
     lithe_view view = good;
     change(view);
     lithe_instance instances[2] = {instanceAt(50, 7), instanceAt(50, 7)};
-    instances[1].asset = second_asset;
-    const lithe_result result = lithe_select(&view, assets, 2, instances, 2, nullptr, nullptr);
+    const lithe_crowd crowd = {assets, instances, 0, 2, 2};
+    const lithe_result result = lithe_select(&crowd, &view, 1, nullptr, nullptr);
     if (result != LITHE_OK) {
       EXPECT_EQ(instances[0].level, 7u);
     }
     return result;
   };
   EXPECT_EQ(call([](auto&) {}), LITHE_OK);
-  EXPECT_EQ(call([](auto&) {}, 1), LITHE_ERROR_INVALID_ARGUMENT);
-  EXPECT_EQ(call([](auto&) {}, 2), LITHE_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(call([](auto& v) { v.threshold_px = 0; }), LITHE_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(call([](auto& v) { v.threshold_px = NAN; }), LITHE_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(call([](auto& v) { v.near_distance = 0; }), LITHE_ERROR_INVALID_ARGUMENT);
@@ -198,10 +294,31 @@ TEST_F(Select, BadArgumentsChangeNothing) {
   EXPECT_EQ(call([](auto& v) { v.hysteresis = -0.1f; }), LITHE_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(call([](auto& v) { v.pixels_per_radian = 0; }), LITHE_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(call([](auto& v) { v.pixels_per_radian = -1; }), LITHE_ERROR_INVALID_ARGUMENT);
-  EXPECT_EQ(lithe_select(nullptr, assets, 2, nullptr, 0, nullptr, nullptr), LITHE_ERROR_INVALID_ARGUMENT);
-  EXPECT_EQ(lithe_select(&good, assets, 2, nullptr, 1, nullptr, nullptr), LITHE_ERROR_INVALID_ARGUMENT);
-  EXPECT_EQ(lithe_select(&good, nullptr, 1, nullptr, 0, nullptr, nullptr), LITHE_ERROR_INVALID_ARGUMENT);
-  EXPECT_EQ(lithe_select(&good, nullptr, 0, nullptr, 0, nullptr, nullptr), LITHE_OK);
+  EXPECT_EQ(call([](auto& v) { v.least_px = -1; }), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(call([](auto& v) { v.plane_count = LITHE_MAX_PLANES + 1; }), LITHE_ERROR_INVALID_ARGUMENT);
+
+  lithe_instance instances[2] = {instanceAt(50, 7), instanceAt(50, 7)};
+  auto select = [&](const lithe_crowd& crowd, const lithe_view* views, uint32_t view_count) {
+    return lithe_select(&crowd, views, view_count, nullptr, nullptr);
+  };
+  EXPECT_EQ(lithe_select(nullptr, &good, 1, nullptr, nullptr), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(select({assets, instances, 0, 2, 2}, nullptr, 1), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(select({assets, instances, 0, 2, 2}, &good, 0), LITHE_ERROR_INVALID_ARGUMENT);
+  const std::vector<lithe_view> many(LITHE_MAX_VIEWS + 1, good);
+  EXPECT_EQ(select({assets, instances, 0, 2, 2}, many.data(), LITHE_MAX_VIEWS + 1), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(select({assets, nullptr, 0, 2, 2}, &good, 1), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(select({nullptr, instances, 0, 2, 2}, &good, 1), LITHE_ERROR_INVALID_ARGUMENT);
+  for (const size_t stride : {size_t{1}, sizeof(lithe_instance) - 4, sizeof(lithe_instance) + 2})
+    EXPECT_EQ(select({assets, instances, stride, 2, 2}, &good, 1), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(select({nullptr, nullptr, 0, 0, 0}, &good, 1), LITHE_OK);
+  // The first instance that names no asset ends the call.
+  for (const uint32_t stranger : {1u, 2u}) {
+    instances[0] = instances[1] = instanceAt(50, 7);
+    instances[1].asset = stranger;
+    EXPECT_EQ(select({assets, instances, 0, 2, 2}, &good, 1), LITHE_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(instances[0].level, selected(good, instanceAt(50, 7)));
+    EXPECT_EQ(instances[1].level, 7u);
+  }
 }
 
 }  // namespace

@@ -84,13 +84,22 @@ TEST(Wrapper, SelectsAndDraws) {
   view.pixels_per_radian = 500;
   view.near_distance = 0.1f;
   view.threshold_px = 1;
-  std::vector<lithe_instance> crowd(5);
-  for (lithe_instance& instance : crowd) instance.scale = instance.bias = 1;
+  std::vector<lithe_instance> instances(5);
+  for (lithe_instance& instance : instances) instance.scale = instance.bias = 1;
   const lithe_asset* assets[] = {asset.get()};
+  const lithe_view views[] = {view};
+  const lithe_crowd crowd = crowdOf(assets, instances);
   std::vector<uint32_t> wanted(1);
-  ASSERT_EQ(select(view, assets, crowd, wanted), Result::kOk);
+  ASSERT_EQ(select(crowd, views, wanted), Result::kOk);
   EXPECT_EQ(wanted[0], 3u);
-  EXPECT_EQ(select(view, assets, crowd, Span<uint32_t>(wanted.data(), 0)), Result::kBufferTooSmall);
+  EXPECT_EQ(select(crowd, views, Span<uint32_t>(wanted.data(), 0)), Result::kBufferTooSmall);
+
+  std::vector<uint64_t> scratch(budgetScratch(5) / 8 + 1);
+  const Span<uint8_t> bytes(reinterpret_cast<uint8_t*>(scratch.data()), scratch.size() * 8);
+  float factor = 0;
+  ASSERT_EQ(selectWithin(crowd, views, 1000, bytes, wanted, nullptr, &factor), Result::kOk);
+  EXPECT_EQ(factor, 1.0f);
+  EXPECT_EQ(selectWithin(crowd, views, 1000, Span<uint8_t>(bytes.data, 8)), Result::kBufferTooSmall);
 
   std::vector<lithe_range> ranges(12, lithe_range{0, 3});
   const lithe_placement placements[] = {{0, 3, 4, ranges.data()}};
@@ -98,10 +107,10 @@ TEST(Wrapper, SelectsAndDraws) {
   std::vector<uint32_t> order(5), counters(bound);
   std::vector<lithe_draw> draws(bound);
   uint32_t count = 0;
-  ASSERT_EQ(buildDraws(placements, crowd, {order, draws, {}, counters}, &count), Result::kOk);
+  ASSERT_EQ(buildDraws(crowd, placements, ~0u, {order, draws, {}, counters}, &count), Result::kOk);
   EXPECT_EQ(count, 3u);
   draws.pop_back();
-  EXPECT_EQ(buildDraws(placements, crowd, {order, draws, {}, counters}, &count), Result::kBufferTooSmall);
+  EXPECT_EQ(buildDraws(crowd, placements, ~0u, {order, draws, {}, counters}, &count), Result::kBufferTooSmall);
 }
 
 TEST(MallocAllocator, AlignsAndFreesEverything) {

@@ -45,6 +45,17 @@ TEST(ImportSkin, SortsAndAddsUpEqualJoints) {
   expectSkin(model.skins[2], {{1, .6f}, {0, .4f}});
 }
 
+TEST(ImportSkin, AWeightThatIsNothingBesideAnotherIsLeftOut) {
+  Ribbon ribbon;
+  ribbon.primitive()["attributes"]["JOINTS_0"] =
+      ribbon.accessor<uint8_t>("VEC4", {0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0});
+  ribbon.primitive()["attributes"]["WEIGHTS_0"] =
+      ribbon.accessor<float>("VEC4", {3e38f, 1e-45f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, .5, .5, 0, 0});
+  const Model model = importBuilt(ribbon);
+  expectSkin(model.skins[0], {{0, 1.0f}});
+  expectSkin(model.skins[3], {{0, .5f}, {1, .5f}});
+}
+
 TEST(ImportSkin, RepairsBadWeightsAndSaysHowMany) {
   Ribbon ribbon;
   ribbon.primitive()["attributes"]["JOINTS_0"] =
