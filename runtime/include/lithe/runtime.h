@@ -416,6 +416,18 @@ LITHE_NODISCARD LITHE_API lithe_result lithe_select_within(const lithe_crowd* cr
                                                            void* scratch, size_t scratch_bytes, float* factor);
 LITHE_API uint64_t lithe_budget_scratch(uint32_t instance_count);
 
+/* For geomorphs (Hoppe 1996): how far each drawn instance's vertices are on the way to where the next coarser level has
+ * them (lithe_asset_write_morph_sources). 1 up to where that level's error reaches the threshold, so levels change
+ * while they look the same; from there on it falls to 0, linearly in the error, until the error is (1 + width)
+ * thresholds. views, factor  as the levels were chosen with; factor is 1 after lithe_select width          > 0; 0.25
+ * leaves the levels of an ordinary bake apart: a level that is still on its way when the next one takes over shows a
+ * jump morphs         receives instance_count numbers 0..1; 0 for level 0 and for what is not drawn A level that comes
+ * late from the disk is past its way when it arrives: let the host's own number fall from 1 then. Never allocates. A
+ * crowd may be split in ranges over threads. */
+LITHE_NODISCARD LITHE_API lithe_result lithe_morph_factors(const lithe_crowd* crowd, const lithe_view* views,
+                                                           uint32_t view_count, float factor, float width,
+                                                           float* morphs);
+
 /* ---- Draws ------------------------------------------------------------------------------------------------------- */
 
 /* The layout of VkDrawIndexedIndirectCommand and of glMultiDrawElementsIndirect's commands. */

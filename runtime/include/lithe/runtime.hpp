@@ -208,6 +208,14 @@ inline std::size_t budgetScratch(std::uint32_t instance_count) {
                                                  wanted_levels.data, stats, scratch.data, scratch.size, factor));
 }
 
+/// lithe_morph_factors. morphs: one per instance.
+[[nodiscard]] inline Result morphFactors(const lithe_crowd& crowd, Span<const lithe_view> views, float factor,
+                                         float width, Span<float> morphs) {
+  if (morphs.size < crowd.instance_count) return Result::kBufferTooSmall;
+  return static_cast<Result>(
+      lithe_morph_factors(&crowd, views.data, static_cast<std::uint32_t>(views.size), factor, width, morphs.data));
+}
+
 /// Where lithe_build_draws puts what it finds; sizes are checked. keys may be empty.
 struct DrawBuffers {
   Span<std::uint32_t> instance_order;

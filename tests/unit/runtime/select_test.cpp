@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 #include <vector>
 
 #include "crowds.h"
@@ -259,6 +260,72 @@ TEST_F(Select, InstancesMayLieAnywhere) {
     EXPECT_EQ(actors[i].instance.level, selected(view, instanceAt(10.0f * static_cast<float>(i))));
     EXPECT_TRUE(actors[i].own[0] == i && actors[i].own[1] == i && actors[i].own[2] == i);
   }
+}
+
+// Ranges of a crowd on threads of their own, with their own counts: the same choice, and the sums and maxima are the
+// same.
+TEST_F(Select, RangesOnThreadsAreTheWhole) {
+  Random random(17);
+  std::vector<lithe_instance> whole;
+  for (uint32_t i = 0; i < 4000; ++i) whole.push_back(instanceAt(static_cast<float>(400 * random.unit())));
+  std::vector<lithe_instance> split = whole;
+  const lithe_asset* assets[] = {asset_.get()};
+  const lithe_view view = perspective(5);
+  const lithe_crowd all = {assets, whole.data(), 0, 1, 4000};
+  uint32_t wanted = 0;
+  lithe_select_stats stats = {};
+  ASSERT_EQ(lithe_select(&all, &view, 1, &wanted, &stats), LITHE_OK);
+  constexpr uint32_t kRanges = 4;
+  uint32_t wanted_of[kRanges] = {};
+  lithe_select_stats stats_of[kRanges] = {};
+  lithe_result results[kRanges];
+  std::vector<std::thread> threads;
+  for (uint32_t r = 0; r < kRanges; ++r)
+    threads.emplace_back([&, r] {
+      const lithe_crowd range = {assets, split.data() + 1000 * r, 0, 1, 1000};
+      results[r] = lithe_select(&range, &view, 1, &wanted_of[r], &stats_of[r]);
+    });
+  for (std::thread& thread : threads) thread.join();
+  uint64_t triangles = 0;
+  for (uint32_t r = 0; r < kRanges; ++r) {
+    EXPECT_EQ(results[r], LITHE_OK);
+    triangles += stats_of[r].triangles;
+  }
+  EXPECT_EQ(triangles, stats.triangles);
+  EXPECT_EQ(*std::max_element(wanted_of, wanted_of + kRanges), wanted);
+  for (size_t i = 0; i < whole.size(); ++i) EXPECT_EQ(split[i].level, whole[i].level);
+}
+
+// 1 until the coarser level's error is at the threshold, 0 where it is a quarter above, and a straight line between.
+TEST_F(Select, MorphsFollowTheCoarserLevelsError) {
+  const lithe_asset* assets[] = {asset_.get()};
+  const lithe_view view = perspective(5);
+  const uint32_t level = 5;  // errors of level 4: 2.5, that is 1250 / distance pixels
+  ASSERT_EQ(hand_.errors[level - 1], 2.5f);
+  const auto morphAt = [&](float distance, uint32_t at, float factor = 1) {
+    lithe_instance instance = instanceAt(distance, at);
+    const lithe_crowd crowd = {assets, &instance, 0, 1, 1};
+    float morph = -1;
+    EXPECT_EQ(lithe_morph_factors(&crowd, &view, 1, factor, 0.25f, &morph), LITHE_OK);
+    return morph;
+  };
+  EXPECT_EQ(morphAt(1e5f, level), 1.0f);
+  EXPECT_EQ(morphAt(251, level), 1.0f);
+  EXPECT_NEAR(morphAt(250 / 1.125f, level), 0.5f, 1e-4f);
+  EXPECT_EQ(morphAt(250 / 1.26f, level), 0.0f);
+  EXPECT_EQ(morphAt(251, level, 1.25f), 1.0f);
+  EXPECT_NEAR(morphAt(200 / 1.125f, level, 1.25f), 0.5f, 1e-4f);
+  EXPECT_EQ(morphAt(1e5f, 0), 0.0f);
+  EXPECT_EQ(morphAt(1e5f, LITHE_UNDRAWN), 0.0f);
+  lithe_instance instance = instanceAt(1);
+  const lithe_crowd crowd = {assets, &instance, 0, 1, 1};
+  float morph;
+  EXPECT_EQ(lithe_morph_factors(&crowd, &view, 1, 0.5f, 0.25f, &morph), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(lithe_morph_factors(&crowd, &view, 1, 1, 0, &morph), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(lithe_morph_factors(&crowd, &view, 1, 1, 0.25f, nullptr), LITHE_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(lithe_morph_factors(nullptr, &view, 1, 1, 0.25f, &morph), LITHE_ERROR_INVALID_ARGUMENT);
+  instance.asset = 1;
+  EXPECT_EQ(lithe_morph_factors(&crowd, &view, 1, 1, 0.25f, &morph), LITHE_ERROR_INVALID_ARGUMENT);
 }
 
 TEST_F(Select, NumbersThatAreNoneGiveALevelAllTheSame) {
