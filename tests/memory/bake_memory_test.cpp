@@ -37,12 +37,12 @@ End attempt(const std::function<void()>& work, uint64_t calls, test::Failure fai
   return end;
 }
 
-/// Lets `work` run out of memory at its first calls one after the other, and at some 100 spread over the rest.
+/// Lets `work` run out of memory at its first calls one after the other, and at some 50 spread over the rest.
 void failThroughout(const std::function<void()>& work, test::Failure failure) {
   work();  // what is kept once and for all is there now
   const uint64_t before = test::blocksGiven();
   work();
-  const uint64_t all = test::blocksGiven() - before, step = std::max<uint64_t>(1, all / 100);
+  const uint64_t all = test::blocksGiven() - before, step = std::max<uint64_t>(1, all / 50);
   uint64_t failures = 0;
   for (uint64_t calls = 0; calls < all; calls += calls < 50 ? 1 : step) {
     const uint64_t held = test::blocksHeld();
