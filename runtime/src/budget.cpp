@@ -128,26 +128,20 @@ class Budget {
 
   void chooseOne(const lithe_asset& asset, const Demand& demand, lithe_instance* instance, uint32_t* wanted_levels,
                  lithe_select_stats* stats) {
-    if (demand.views == 0) {
-      giveLevel(instance, instance->level, 0);
-      ++stats->unseen;
-      return;
-    }
+    if (demand.views == 0) return leaveUnseen(instance, stats);
     uint32_t liked = likedLevel(asset, *instance, demand, factor()), level = LITHE_UNDRAWN;
     if (isChosen(asset, demand)) {
       level = spendRest({asset, *instance, demand}, liked);
       if (level > liked) liked = level;
     }
-    giveLevel(instance, level, demand.views);
-    takeNote(asset, level, liked, wanted_levels ? wanted_levels + instance->asset : nullptr, stats);
+    giveSeen(asset, instance, demand.views, level, liked, wanted_levels, stats);
   }
 
   /// From the level that the factor gives on: the steps that are alike, as long as they fit.
   uint32_t spendRest(const Chooser& chooser, uint32_t liked) {
     uint32_t level = liked < chooser.bounds.last ? liked : chooser.bounds.last;
     if (level < chooser.bounds.first) level = chooser.bounds.first;
-    while (level < chooser.bounds.last && alike_ < first_ && chooser.errorBits(level) >= alike_ &&
-           chooser.stepTriangles(level) <= left_) {
+    while (level < chooser.bounds.last && chooser.errorBits(level) >= alike_ && chooser.stepTriangles(level) <= left_) {
       left_ -= chooser.stepTriangles(level);
       ++level;
     }

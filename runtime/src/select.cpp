@@ -14,15 +14,10 @@ bool isSound(const lithe_view& view) {
 
 inline void selectOne(const lithe_asset& asset, const Demand& demand, lithe_instance* instance, uint32_t* wanted_levels,
                       lithe_select_stats* stats) {
-  if (demand.views == 0) {
-    giveLevel(instance, instance->level, 0);
-    ++stats->unseen;
-    return;
-  }
+  if (demand.views == 0) return leaveUnseen(instance, stats);
   const uint32_t liked = likedLevel(asset, *instance, demand, 1), resident = asset.resident_level;
   const uint32_t level = resident == LITHE_NO_LEVEL ? LITHE_UNDRAWN : liked < resident ? liked : resident;
-  giveLevel(instance, level, demand.views);
-  takeNote(asset, level, liked, wanted_levels ? wanted_levels + instance->asset : nullptr, stats);
+  giveSeen(asset, instance, demand.views, level, liked, wanted_levels, stats);
 }
 
 /// False when an instance's asset is not one.

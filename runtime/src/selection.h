@@ -135,6 +135,12 @@ inline void giveLevel(lithe_instance* instance, uint32_t level, uint8_t views) {
   if (instance->views != views) instance->views = views;
 }
 
+/// An instance that no view sees keeps its level for when it is seen again.
+inline void leaveUnseen(lithe_instance* instance, lithe_select_stats* stats) {
+  giveLevel(instance, instance->level, 0);
+  ++stats->unseen;
+}
+
 inline void addStats(const lithe_select_stats& more, lithe_select_stats* stats) {
   if (!stats) return;
   stats->triangles += more.triangles;
@@ -143,10 +149,11 @@ inline void addStats(const lithe_select_stats& more, lithe_select_stats* stats) 
   stats->unseen += more.unseen;
 }
 
-/// Notes what a seen instance has got and would have liked.
-inline void takeNote(const lithe_asset& asset, uint32_t level, uint32_t liked, uint32_t* wanted_level,
-                     lithe_select_stats* stats) {
-  if (wanted_level && liked > *wanted_level) *wanted_level = liked;
+/// Gives a seen instance its level, and notes that and which one it would have liked.
+inline void giveSeen(const lithe_asset& asset, lithe_instance* instance, uint8_t views, uint32_t level, uint32_t liked,
+                     uint32_t* wanted_levels, lithe_select_stats* stats) {
+  giveLevel(instance, level, views);
+  if (wanted_levels && liked > wanted_levels[instance->asset]) wanted_levels[instance->asset] = liked;
   const bool drawn = level != LITHE_UNDRAWN;
   stats->triangles += drawn ? asset.choices[level].triangles : 0;
   stats->undrawable += !drawn;

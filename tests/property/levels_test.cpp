@@ -9,25 +9,13 @@
 #include <map>
 #include <set>
 
-#include "asset_reader.h"
+#include "decoded_character.h"
 #include "lithe/bake/poses.h"
-#include "property_characters.h"
 
 namespace lithe::test {
 namespace {
 
-class Levels : public testing::TestWithParam<std::string> {
- protected:
-  const PropertyCharacter& character = propertyCharacter(GetParam());
-  AssetReader asset{character.bytes};
-
-  void SetUp() override {
-    ASSERT_NE(asset.get(), nullptr);
-    asset.supplyThrough(asset.info().level_count - 1);
-    ASSERT_EQ(lithe_asset_resident_level(asset.get()), asset.info().level_count - 1);
-  }
-  uint32_t levelCount() const { return asset.info().level_count; }
-};
+class Levels : public DecodedCharacter {};
 
 TEST_P(Levels, IndicesDrawWholeTrianglesOfTheirPart) {
   const lithe_hierarchy h = asset.hierarchy();

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "asset_reader.h"
-#include "property_characters.h"
+#include "decoded_character.h"
 
 namespace lithe::test {
 namespace {
@@ -16,16 +15,8 @@ struct Point {
   double x, y, z;
 };
 
-class Morph : public testing::TestWithParam<std::string> {
+class Morph : public DecodedCharacter {
  protected:
-  const PropertyCharacter& character = propertyCharacter(GetParam());
-  AssetReader asset{character.bytes};
-
-  void SetUp() override {
-    ASSERT_NE(asset.get(), nullptr);
-    asset.supplyThrough(asset.info().level_count - 1);
-  }
-
   Point positionOf(uint32_t wedge) const {
     const lithe_hierarchy h = asset.hierarchy();
     const uint16_t* p = h.node_position + 3 * size_t{h.wedge_node[wedge]};
@@ -80,8 +71,7 @@ class Morph : public testing::TestWithParam<std::string> {
       EXPECT_TRUE(morph >= 0 && morph <= 1);
       return shown(instance.level, morphs ? morph : 0.0f);
     };
-    const double farthest = 550.0 * asset.level(0).error,
-                 nearest = 350.0 * asset.level(asset.info().level_count - 2).error;
+    const double farthest = 550.0 * asset.level(0).error, nearest = 350.0 * asset.level(levelCount() - 2).error;
     Walk result;
     for (double distance = nearer ? farthest : nearest; nearer ? distance > nearest : distance < farthest;
          distance *= nearer ? 1 - 1e-4 : 1 + 1e-4) {
